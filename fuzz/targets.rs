@@ -80,7 +80,7 @@ fn numbers_of(data: &[u8]) {
     let Ok(evaluator) = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12) else { return };
     let contact = Contact::new(evaluator, 1.0, None, 1e-12);
     let a = 0.75;
-    sound(contact.evaluator().slope(a));
+    sound(contact.evaluator().equivalent(a));
     sound(contact.evaluator().height(0.5));
     honest(contact.force(a));
     measured(contact.pressure(0.25, a));

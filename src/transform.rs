@@ -34,7 +34,7 @@ pub use crate::integrate::error::TransformError;
 pub use crate::integrate::integral::NumericProfile;
 pub use crate::integrate::segment::Segment;
 pub(crate) use crate::integrate::source::enclosures::sum_of_ranges;
-pub use crate::integrate::source::slope::SlopeSource;
+pub use crate::integrate::source::f_prime::FPrimeSource;
 pub use crate::integrate::table_error::TableError;
 
 /// Private parts that tests in `tests/` look at; not part of the interface.

@@ -20,7 +20,7 @@ fn a_million_points_take_less_than_64_megabytes() {
     let x: Vec<f64> = (0..COUNT).map(|i| 0.01 + 1.9 * i as f64 / COUNT as f64).collect();
     let Some(before) = peak() else { return };
     let (mut values, mut errors) = (vec![0.0; COUNT], vec![0.0; COUNT]);
-    evaluator.slopes(&x, Slice::bounded(&mut values, &mut errors)).unwrap();
+    evaluator.equivalents(&x, Slice::bounded(&mut values, &mut errors)).unwrap();
     let own = peak().unwrap() - before;
     println!("{own:.1} MB beyond the input");
     assert!(own < 64.0, "{own} MB");

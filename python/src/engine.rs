@@ -346,7 +346,7 @@ impl Engine {
             match wanted {
                 Quantity::Profile => evaluator.heights(at, out)?,
                 Quantity::Force => evaluator.forces(at, out)?,
-                _ => evaluator.slopes(at, out)?,
+                _ => evaluator.equivalents(at, out)?,
             }
             if wanted == Quantity::Force {
                 let twice = 2.0 * contact.effective_modulus();

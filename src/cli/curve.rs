@@ -50,13 +50,15 @@ fn reading(curve: &Curve<'_>, pressures: Option<&PressureCurve<'_>>, asked: &Ask
     // Additional depth of a punch with a rim compared with a smooth edge.
     let excess = |a: f64| -> Result<Bounded, TransformError> {
         Ok(match asked.depth {
-            Some(depth) => Bounded::exact(depth) - curve.slope(a)?.bounded(),
+            Some(depth) => Bounded::exact(depth) - curve.equivalent(a)?.bounded(),
             None => Bounded::exact(0.0),
         })
     };
     let value = match (asked.quantity, pressures) {
-        (Quantity::Equivalent, _) => curve.slope(at)?.bounded(),
-        (Quantity::Depth, _) => asked.depth.map_or_else(|| curve.slope(at).map(Estimate::bounded), |depth| Ok(Bounded::exact(depth)))?,
+        (Quantity::Equivalent, _) => curve.equivalent(at)?.bounded(),
+        (Quantity::Depth, _) => {
+            asked.depth.map_or_else(|| curve.equivalent(at).map(Estimate::bounded), |depth| Ok(Bounded::exact(depth)))?
+        }
         (Quantity::Integral, _) => curve.integral(at)?.bounded(),
         (Quantity::Force, _) => curve.force(at)?.bounded() * twice + excess(at)? * place * twice,
         (Quantity::Pressure, Some(pressures)) => {

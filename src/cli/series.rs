@@ -39,7 +39,7 @@ pub(super) fn readings(
     let value = |at: f64| -> Result<Measured, SeriesFailure> {
         Ok(Ok(match quantity {
             Quantity::Profile => series.height(at)?,
-            Quantity::Equivalent | Quantity::Depth => series.slope(at)?,
+            Quantity::Equivalent | Quantity::Depth => series.equivalent(at)?,
             Quantity::Force => times(series.force(at)?, Bounded::exact(2.0) * modulus),
             Quantity::Integral => series.integral(at)?,
             Quantity::Pressure => {

@@ -253,7 +253,7 @@ fn places(sampler: &mut Sampler, evaluator: &Evaluator<'_>) -> (Vec<f64>, (f64, 
 /// Returns the places from the first one with g > 0 up to the first maximum of g: each is the contact radius of its depth.
 fn rising(mut list: Vec<f64>, contact: &Contact<'_>) -> Vec<f64> {
     list.sort_by(f64::total_cmp);
-    let depth = |place: f64| contact.evaluator().slope(place).map_or(f64::NAN, |own| own.estimate.value);
+    let depth = |place: f64| contact.evaluator().equivalent(place).map_or(f64::NAN, |own| own.estimate.value);
     let mut before = 0.0;
     let mut places: Vec<f64> = list
         .into_iter()
@@ -292,7 +292,7 @@ const PARTS: [f64; 6] = [1e-4, 0.7, 0.1, 0.95, 0.4, 0.9999];
 fn arguments_at(quantity: Quantity, place: f64, index: usize, evaluator: &Evaluator<'_>) -> Option<Vec<f64>> {
     match quantity {
         Quantity::Pressure => PARTS.get(index % PARTS.len()).map(|part| vec![place * part, place]),
-        Quantity::Radius | Quantity::ForceOfDepth => match evaluator.slope(place) {
+        Quantity::Radius | Quantity::ForceOfDepth => match evaluator.equivalent(place) {
             Ok(depth) if depth.estimate.value > 0.0 => Some(vec![depth.estimate.value]),
             _ => None,
         },
@@ -304,21 +304,21 @@ fn arguments_at(quantity: Quantity, place: f64, index: usize, evaluator: &Evalua
 /// error of the root counts in second order only. Errors of g and F are their bounds, or their differences from the values of the
 /// program.
 fn solved(machine: &mut Machine<'_>, truth: &Truth<'_>, a: f64) -> Option<f64> {
-    let slope = truth.slope(a)?;
+    let g_prime = truth.g_prime(a)?;
     let mut at = |routine: &str, arguments: &[f64]| machine.traced(routine, &[arguments, &truth.values].concat());
     let own = at("sneddon_g", &[a])?;
-    if !(slope > 0.0 && own.bounded.value > 0.0) {
+    if !(g_prime > 0.0 && own.bounded.value > 0.0) {
         return None;
     }
     let force = if truth.quantity == Quantity::Radius { None } else { Some(at("sneddon_F", &[a, 1.0])?) };
     let exact = truth.exact(Quantity::Equivalent, a)?;
     let of_g = machine.error(&[(own, 1.0)]).max(beyond(own.bounded.value - exact.value, exact.error)) + spacing(exact.value);
-    let of_root = of_g / slope + 2.0 * spacing(a);
+    let of_root = of_g / g_prime + 2.0 * spacing(a);
     let Some(force) = force else { return Some(of_root / spacing(a)) };
     let exact_force = truth.exact(Quantity::Force, a)?;
     // The depth is the same for the code and for the truth, so that only g and F differ.
     let difference = (force.bounded.value - exact_force.value) - 2.0 * a * (own.bounded.value - exact.value);
     let bound = machine.error(&[(force, 1.0), (own, -2.0 * a)]).max(beyond(difference, exact_force.error + 2.0 * a * exact.error));
     // Next to the root d - g(a) is exact; the rest are the roundings of its product and of the sum.
-    Some((bound + slope * of_root * of_root) / spacing(exact_force.value) + 2.0)
+    Some((bound + g_prime * of_root * of_root) / spacing(exact_force.value) + 2.0)
 }

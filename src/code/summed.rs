@@ -124,7 +124,7 @@ impl Builder<'_> {
         let zero = |own: &str| Statement::Let(own.to_owned(), Value::Number(0.0, true));
         let mut body: Vec<Statement> = quadrature::VARIABLES.map(zero).to_vec();
         for chain in &self.solution.profile.chains {
-            let Ok(slopes) = chain.slopes() else { return Ok(None) };
+            let Ok(slopes) = chain.f_primes() else { return Ok(None) };
             let mut ends = Vec::new();
             for own in &chain.breakpoints {
                 let (statements, value) = self.lowered(own)?;
@@ -132,8 +132,8 @@ impl Builder<'_> {
                 ends.push(format!("t{}", self.counter));
                 body.extend(statements.into_iter().chain(ends.last().map(|name| Statement::Let(name.clone(), value))));
             }
-            for (index, slope) in slopes.iter().enumerate().filter(|own| !own.1.is_zero()) {
-                let (statements, value) = self.f_prime(slope, &names)?;
+            for (index, f_prime) in slopes.iter().enumerate().filter(|own| !own.1.is_zero()) {
+                let (statements, value) = self.f_prime(f_prime, &names)?;
                 let lower = index.checked_sub(1).and_then(|before| ends.get(before)).cloned();
                 let extent = quadrature::Extent { lower, upper: ends.get(index).cloned() };
                 let mut piece = read_body(&quadrature::piece(coordinate, is_force, &extent))?;
@@ -149,13 +149,13 @@ impl Builder<'_> {
 
     /// The statements that compute f′ at `_r`, and its value: from the derivative with its factors collected, as it is, or over one
     /// denominator, whichever has the smallest running bounds over six decades.
-    fn f_prime(&mut self, slope: &Expr, names: &Names) -> Result<(Vec<Statement>, Value), CodeError> {
+    fn f_prime(&mut self, f_prime: &Expr, names: &Names) -> Result<(Vec<Statement>, Value), CodeError> {
         let sample = Sampler::new(1).parameters(self.solution).unwrap_or_default();
         let number = |own: &Symbol| sample.apply(&Expr::from(own.clone())).as_number().map_or(f64::NAN, Number::to_f64);
         let numbers: Vec<f64> = self.solution.profile.parameters().iter().map(number).collect();
         let parameters: Vec<String> = std::iter::once("_r".to_owned()).chain(self.arguments.iter().cloned()).collect();
         let mut best: Option<(f64, usize, (Vec<Statement>, Value))> = None;
-        for own in [collected(slope), slope.clone()].into_iter().chain(over_one_denominator(slope)) {
+        for own in [collected(f_prime), f_prime.clone()].into_iter().chain(over_one_denominator(f_prime)) {
             let mut counter = self.counter;
             let (statements, value) = lowered(&own, names, &mut counter)?;
             let body = statements.iter().cloned().chain([Statement::Return(value.clone())]).collect();

@@ -108,7 +108,7 @@ impl<'a> Truth<'a> {
     }
 
     fn value_of(&self, quantity: Quantity, contact: &Contact<'_>, coordinates: &[f64], place: f64) -> Option<Bounded> {
-        let g = |x: f64| Some(contact.evaluator().slope(x).ok()?.estimate.bounded());
+        let g = |x: f64| Some(contact.evaluator().equivalent(x).ok()?.estimate.bounded());
         let reading = match (quantity, coordinates) {
             (Quantity::Equivalent | Quantity::Depth, [x]) => return g(*x),
             (Quantity::Force, [a]) => contact.force(*a).ok()?.estimate,
@@ -122,7 +122,7 @@ impl<'a> Truth<'a> {
             }
             (Quantity::Radius, [d]) => {
                 // One step of Newton's method, which is accurate to second order because `place` is near the root.
-                let rise = slope(contact, place, g)?;
+                let rise = g_prime(contact, place, g)?;
                 let depth = g(place)?;
                 let step = (d - depth.value) / rise;
                 return Some(Bounded::checked(place + step, depth.error / rise.abs() + STEP * step.abs() + spacing(place)));
@@ -133,8 +133,8 @@ impl<'a> Truth<'a> {
     }
 
     /// g′ at a radius.
-    pub(super) fn slope(&self, a: f64) -> Option<f64> {
-        slope(&self.contact, a, |x| self.exact(Quantity::Equivalent, x))
+    pub(super) fn g_prime(&self, a: f64) -> Option<f64> {
+        g_prime(&self.contact, a, |x| self.exact(Quantity::Equivalent, x))
     }
 
     /// The reference value of g or F at a radius.
@@ -211,7 +211,7 @@ impl<'a> Truth<'a> {
         }
         let front = match self.quantity {
             Quantity::Force | Quantity::ForceOfDepth => 2.0 * place * place,
-            Quantity::Radius => place / self.slope(place).unwrap_or(f64::INFINITY),
+            Quantity::Radius => place / self.g_prime(place).unwrap_or(f64::INFINITY),
             _ => place,
         };
         let weight = |sine: f64| match self.quantity {
@@ -256,7 +256,7 @@ impl<'a> Truth<'a> {
 }
 
 /// g′ at a radius by a difference, which does not reach beyond a kink: next to it, g may be steep.
-fn slope(contact: &Contact<'_>, a: f64, g: impl Fn(f64) -> Option<Bounded>) -> Option<f64> {
+fn g_prime(contact: &Contact<'_>, a: f64, g: impl Fn(f64) -> Option<Bounded>) -> Option<f64> {
     let kinks = contact.evaluator().breakpoints_below(a * (1.0 + STEP));
     let step = kinks.into_iter().map(|kink| 0.25 * (a - kink).abs()).filter(|gap| *gap > 0.0).fold(STEP * a, f64::min);
     let (above, below) = (a + step, a - step);

@@ -173,7 +173,7 @@ impl Run<'_> {
         let contacts = [contact(Method::Exact)?, closed, plain];
         let [_, closed, plain] = &contacts;
         let end = match self.setting.radius {
-            Some(radius) => closed.evaluator().slope(radius).map(|_| radius).map_err(TransformError::of_radius)?,
+            Some(radius) => closed.evaluator().equivalent(radius).map(|_| radius).map_err(TransformError::of_radius)?,
             None => reach(closed.evaluator()),
         };
         let typed = plain.evaluator().typed()?;

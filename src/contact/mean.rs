@@ -41,7 +41,7 @@ impl<'c, P: Quantities> PartialForce<'c, P> {
     /// As the evaluator.
     pub fn new(contact: &Contact<'c, P>, a: f64, kinks: impl IntoIterator<Item = f64>) -> Result<Self, ContactError> {
         let excess = match contact.depth_of_rim() {
-            Some(depth) => Bounded::exact(depth) - contact.evaluator().slope(a)?.estimate.bounded(),
+            Some(depth) => Bounded::exact(depth) - contact.evaluator().equivalent(a)?.estimate.bounded(),
             None => Bounded::exact(0.0),
         };
         let factor = Bounded::exact(contact.effective_modulus()) / Bounded::rounded(PI);

@@ -54,8 +54,8 @@ pub struct Expanded<P: ?Sized> {
 }
 
 impl<P: Quantities + ?Sized> Quantities for Expanded<P> {
-    fn slope(&self, x: f64) -> Result<Reading, TransformError> {
-        self.profile.slope(x)
+    fn equivalent(&self, x: f64) -> Result<Reading, TransformError> {
+        self.profile.equivalent(x)
     }
 
     fn force(&self, a: f64) -> Result<Reading, TransformError> {

@@ -237,7 +237,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     pub fn depth(&self, a: f64) -> Result<Reading, ContactError> {
         match self.depth {
             Some(depth) => Ok(exact(depth)),
-            None => representable(self.evaluator.slope(a).map_err(TransformError::of_radius)?, "a", a),
+            None => representable(self.evaluator.equivalent(a).map_err(TransformError::of_radius)?, "a", a),
         }
     }
 
@@ -255,7 +255,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         let twice = Bounded::exact(2.0) * Bounded::exact(self.effective_modulus);
         let mut total = smooth.estimate.times(twice);
         if let Some(depth) = self.depth {
-            let excess = Estimate::exact(depth) + self.evaluator.slope(a)?.estimate.scaled(-1.0);
+            let excess = Estimate::exact(depth) + self.evaluator.equivalent(a)?.estimate.scaled(-1.0);
             total = total + excess.scaled(a).times(twice);
         }
         Ok(Reading { estimate: total, method: smooth.method })
@@ -300,7 +300,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         if x > a || (x == a && self.depth.is_none()) {
             return Ok(exact(0.0));
         }
-        let (d, g) = (self.depth(a)?, self.evaluator.slope(x)?);
+        let (d, g) = (self.depth(a)?, self.evaluator.equivalent(x)?);
         Ok(Reading { estimate: d.estimate + g.estimate.scaled(-1.0), method: g.method })
     }
 
@@ -324,7 +324,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
             return Ok(Ok(exact(0.0)));
         }
         let excess = match self.depth {
-            Some(depth) => Estimate::exact(depth) + self.evaluator.slope(a)?.estimate.scaled(-1.0),
+            Some(depth) => Estimate::exact(depth) + self.evaluator.equivalent(a)?.estimate.scaled(-1.0),
             None => Estimate::exact(0.0),
         };
         if r == a {
@@ -361,7 +361,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         let smooth = self.evaluator.displacement(r, a)?;
         let mut total = smooth.estimate;
         if let Some(depth) = self.depth {
-            let excess = Estimate::exact(depth) + self.evaluator.slope(a)?.estimate.scaled(-1.0);
+            let excess = Estimate::exact(depth) + self.evaluator.equivalent(a)?.estimate.scaled(-1.0);
             let angle = (Bounded::exact(a) / Bounded::exact(r)).apply(f64::asin, 2.0);
             total = total + excess.times(angle * Bounded::exact(2.0) / Bounded::rounded(std::f64::consts::PI));
         }
@@ -430,12 +430,12 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
 
     /// Returns g(x), or 0 with the size of g at a larger radius as its error if rounding leaves g(x) no accurate digit.
     fn near_axis(&self, x: f64, a: f64) -> Result<Estimate, TransformError> {
-        let mut found = self.evaluator.slope(x).map(|own| own.estimate);
+        let mut found = self.evaluator.equivalent(x).map(|own| own.estimate);
         let mut place = x;
         while matches!(found, Err(TransformError::NoDigits { .. })) && place < 1e-3 * a {
             place *= 10.0;
             let size = |own: Reading| Estimate::estimated(0.0, own.estimate.value.abs() + own.estimate.error, own.estimate.evaluations);
-            found = self.evaluator.slope(place).map(size);
+            found = self.evaluator.equivalent(place).map(size);
         }
         found
     }
@@ -479,7 +479,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// As [`Self::contact_radius`] and [`Self::force`].
     pub fn force_of_depth(&self, depth: f64) -> Result<Reading, ContactError> {
         let radius = self.contact_radius(depth)?;
-        let gap = |a: f64| Ok(Estimate::exact(depth) + self.evaluator.slope(a)?.estimate.scaled(-1.0));
+        let gap = |a: f64| Ok(Estimate::exact(depth) + self.evaluator.equivalent(a)?.estimate.scaled(-1.0));
         let force = self.with_depth(Some(depth));
         let corrected = |a: f64| force.force(a);
         to_second_order(&radius, corrected, gap, 2.0 * self.effective_modulus).unwrap_or_else(|| through(radius, |a| self.force(a)))

@@ -75,7 +75,7 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: 
         return Ok(Reading { estimate: Estimate::exact(start), method: "exact" });
     }
     let (mut evaluations, mut way) = (0, "");
-    let mut height = |a: f64| match evaluator.slope(a) {
+    let mut height = |a: f64| match evaluator.equivalent(a) {
         Ok(g) => {
             evaluations += g.estimate.evaluations + 1;
             way = g.estimate.way;

@@ -45,18 +45,18 @@ impl Relations {
     /// Marks formulas as compared if the check passed and compared them, where the comparison during the derivation was
     /// inconclusive.
     pub fn confirm(&mut self, check: &Check) {
-        let [slope, force, pressure] = check.compared.map(|own| own && check.passed());
+        let [equivalent, force, pressure] = check.compared.map(|own| own && check.passed());
         let confirm = |own: &mut Derived, compared: bool| {
             if compared && !own.split && own.status != Status::Numeric && own.compared == Some(false) {
                 own.compared = Some(true);
             }
         };
-        confirm(&mut self.g, slope);
-        confirm(&mut self.d, slope);
+        confirm(&mut self.g, equivalent);
+        confirm(&mut self.d, equivalent);
         confirm(&mut self.force, force);
         self.pressure.iter_mut().for_each(|own| confirm(own, pressure));
-        self.contact_radius_of_depth.iter_mut().for_each(|own| confirm(own, slope));
-        self.force_of_depth.iter_mut().for_each(|own| confirm(own, slope && force));
+        self.contact_radius_of_depth.iter_mut().for_each(|own| confirm(own, equivalent));
+        self.force_of_depth.iter_mut().for_each(|own| confirm(own, equivalent && force));
     }
 }
 
@@ -185,7 +185,7 @@ fn complete_contact(solution: &Solution, depth: &Expr, g_at_edge: &Formula) -> V
     // (r f′)′ ≥ 0 makes g rise, and a rising g presses everywhere.
     let radius = Symbol::new("r");
     let rising = solution.terms().all(|solved| {
-        let bend = derivative(&(Expr::symbol("r") * solved.term.slope()), &radius);
+        let bend = derivative(&(Expr::symbol("r") * solved.term.f_prime()), &radius);
         bend.is_ok_and(|bend| bend.terms().iter().all(|term| sign(term) == Sign::Positive))
     });
     if rising {

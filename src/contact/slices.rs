@@ -21,8 +21,8 @@ impl Contact<'_> {
     ///
     /// # Errors
     /// As [`Contact::profiles`].
-    pub fn slopes(&self, x: &[f64]) -> Result<Vec<Measured>, ContactError> {
-        readings("x", x, |x, out| self.evaluator().slopes(x, out), |_, reading| Ok(reading))
+    pub fn equivalents(&self, x: &[f64]) -> Result<Vec<Measured>, ContactError> {
+        readings("x", x, |x, out| self.evaluator().equivalents(x, out), |_, reading| Ok(reading))
     }
 
     /// d(a) at every a.
@@ -30,7 +30,7 @@ impl Contact<'_> {
     /// # Errors
     /// As [`Contact::profiles`].
     pub fn depths(&self, a: &[f64]) -> Result<Vec<Measured>, ContactError> {
-        if self.has_rim() { a.iter().map(|a| Ok(Ok(self.depth(*a)?))).collect() } else { self.slopes(a) }
+        if self.has_rim() { a.iter().map(|a| Ok(Ok(self.depth(*a)?))).collect() } else { self.equivalents(a) }
     }
 
     /// F(a) at every a.

@@ -37,7 +37,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         let smooth = self.evaluator().axial(z, a)?;
         let mut total = smooth.estimate;
         if let Some(depth) = self.depth_of_rim() {
-            let excess = Estimate::exact(depth) + self.evaluator().slope(a)?.estimate.scaled(-1.0);
+            let excess = Estimate::exact(depth) + self.evaluator().equivalent(a)?.estimate.scaled(-1.0);
             total = total + excess.times(edge(z, a));
         }
         let factor = Bounded::exact(self.effective_modulus()) / Bounded::rounded(std::f64::consts::PI);

@@ -175,7 +175,7 @@ impl SolvedChain {
         let alone = |own: &SolvedInterval| {
             let Segment { lower, upper } = own.segment.clone();
             let begin = Some(lower).filter(|lower| !lower.is_zero());
-            let without = |segment| SolvedInterval { segment, slope: Expr::zero(), terms: Vec::new() };
+            let without = |segment| SolvedInterval { segment, f_prime: Expr::zero(), terms: Vec::new() };
             let before = begin.clone().map(|end| without(Segment { lower: Expr::zero(), upper: Some(end) }));
             let after = upper.clone().map(|lower| without(Segment { lower, upper: None }));
             let intervals = before.into_iter().chain([own.clone()]).chain(after).collect();
@@ -207,11 +207,11 @@ impl SolvedChain {
     fn open_integral(&self, interval: usize, variable: &str) -> Formula {
         let (end, radius) = (Expr::symbol(variable), Expr::symbol("r"));
         let root = (end.power(2) - radius.power(2)).sqrt();
-        let parts = self.remainder(SolvedTerm::is_open).into_iter().take(interval + 1).filter(|(_, slope)| !slope.is_zero());
-        Formula::sum(parts.map(|(segment, slope)| {
+        let parts = self.remainder(SolvedTerm::is_open).into_iter().take(interval + 1).filter(|(_, f_prime)| !f_prime.is_zero());
+        Formula::sum(parts.map(|(segment, f_prime)| {
             let upper = segment.upper.clone().filter(|upper| self.ends_before(upper, interval)).unwrap_or_else(|| end.clone());
             let (factor, weight) = if variable == "x" { (end.clone(), Expr::one()) } else { (Expr::one(), radius.power(2)) };
-            integral(slope * weight / &root, "r", segment.lower, upper).scaled(&factor)
+            integral(f_prime * weight / &root, "r", segment.lower, upper).scaled(&factor)
         }))
     }
 
@@ -223,7 +223,7 @@ impl SolvedChain {
     /// Over g′ the integral needs a g without jumps; straight from f′ it needs a bounded f′. A symbolic exponent of a closed g
     /// is taken to be one without jumps.
     fn has_pressure_formula(&self) -> bool {
-        let worst = self.remainder(SolvedTerm::has_open_pressure).iter().map(|(segment, slope)| growth(slope, segment)).max();
+        let worst = self.remainder(SolvedTerm::has_open_pressure).iter().map(|(segment, f_prime)| growth(f_prime, segment)).max();
         let closed = self.intervals.iter().flat_map(|i| &i.terms).filter(|t| t.has_open_pressure()).all(|t| t.answer.is_some());
         match worst {
             None | Some(Growth::Bounded) => true,
@@ -237,8 +237,8 @@ impl SolvedChain {
         if !self.intervals.iter().flat_map(|i| &i.terms).any(SolvedTerm::has_open_pressure) {
             return vec![Formula::zero(); self.intervals.len()];
         }
-        match self.slopes_of_equivalent() {
-            Ok(Some(slopes)) => self.open_pressures_from_slopes(&slopes),
+        match self.g_primes() {
+            Ok(Some(list)) => self.open_pressures_from_g_primes(&list),
             // `derive` has made sure that (r f′)′ exists.
             _ => self.open_pressures_from_profile(solution).unwrap_or_else(|_| vec![Formula::zero(); self.intervals.len()]),
         }
@@ -246,49 +246,49 @@ impl SolvedChain {
 
     /// What the terms of every interval whose pressure is left as an integral add to g′, within the interval and beyond it;
     /// `None` if g is not closed.
-    fn slopes_of_equivalent(&self) -> Result<Option<Vec<[Expr; 2]>>, TransformError> {
+    fn g_primes(&self) -> Result<Option<Vec<[Expr; 2]>>, TransformError> {
         let x = Symbol::new("x");
-        let mut slopes = Vec::with_capacity(self.intervals.len());
+        let mut g_primes = Vec::with_capacity(self.intervals.len());
         for solved in &self.intervals {
             let (mut within, mut beyond) = (Vec::new(), Vec::new());
             for term in solved.terms.iter().filter(|t| t.has_open_pressure()) {
                 let Some((_, answer)) = &term.answer else { return Ok(None) };
-                within.push(derivative(&shown(&answer.slope.within.shown), &x)?);
-                beyond.push(derivative(&shown(&answer.slope.beyond.shown), &x)?);
+                within.push(derivative(&shown(&answer.equivalent.within.shown), &x)?);
+                beyond.push(derivative(&shown(&answer.equivalent.beyond.shown), &x)?);
             }
-            slopes.push([Expr::sum(within), Expr::sum(beyond)]);
+            g_primes.push([Expr::sum(within), Expr::sum(beyond)]);
         }
-        Ok(Some(slopes))
+        Ok(Some(g_primes))
     }
 
     /// ∫ g′(x)/√(x²−r²) dx for the contacts that end on each interval: over the intervals below the end with all that g′ is
     /// there.
-    fn open_pressures_from_slopes(&self, slopes: &[[Expr; 2]]) -> Vec<Formula> {
+    fn open_pressures_from_g_primes(&self, g_primes: &[[Expr; 2]]) -> Vec<Formula> {
         let (x, r, a) = (Expr::symbol("x"), Expr::symbol("r"), Expr::symbol("a"));
         let root = (x.power(2) - r.power(2)).sqrt();
         let from = |begin: Option<&Expr>| begin.map_or_else(|| r.clone(), |begin| Expr::call("max", [begin.clone(), r.clone()]));
-        let part = |slope: &Expr, begin: Option<&Expr>, end: Option<&Expr>| {
-            let split = abel::split(slope, &self.breakpoints, begin, end.unwrap_or(&a));
-            let (closed, slope) = split.map_or_else(|| (Expr::zero(), slope.clone()), |own| (own.closed, own.rest));
+        let part = |g_prime: &Expr, begin: Option<&Expr>, end: Option<&Expr>| {
+            let split = abel::split(g_prime, &self.breakpoints, begin, end.unwrap_or(&a));
+            let (closed, g_prime) = split.map_or_else(|| (Expr::zero(), g_prime.clone()), |own| (own.closed, own.rest));
             let lower = match end {
                 Some(end) => Expr::call("min", [from(begin), end.clone()]),
                 None => from(begin),
             };
-            let open = (!slope.is_zero()).then(|| integral(slope / &root, "x", lower, end.cloned().unwrap_or_else(|| a.clone())));
+            let open = (!g_prime.is_zero()).then(|| integral(g_prime / &root, "x", lower, end.cloned().unwrap_or_else(|| a.clone())));
             Formula::sum([Formula::Closed(closed)].into_iter().chain(open))
         };
         let begin = |index: usize| index.checked_sub(1).and_then(|i| self.breakpoints.get(i));
-        let shorter = |slope: Expr| {
-            let expanded = expanded_or_same(&slope, "x");
-            if expanded.size_up_to(SIZE) <= slope.size_up_to(SIZE) { expanded } else { slope }
+        let shorter = |g_prime: Expr| {
+            let expanded = expanded_or_same(&g_prime, "x");
+            if expanded.size_up_to(SIZE) <= g_prime.size_up_to(SIZE) { expanded } else { g_prime }
         };
         let (mut ended, mut before) = (Vec::new(), Vec::new());
-        let mut all = Vec::with_capacity(slopes.len());
-        for (index, [within, beyond]) in slopes.iter().enumerate() {
-            let slope = shorter(Expr::sum(before.iter().chain([within]).cloned()));
-            all.push(Formula::sum(ended.iter().cloned().chain([part(&slope, begin(index), None)])));
+        let mut all = Vec::with_capacity(g_primes.len());
+        for (index, [within, beyond]) in g_primes.iter().enumerate() {
+            let g_prime = shorter(Expr::sum(before.iter().chain([within]).cloned()));
+            all.push(Formula::sum(ended.iter().cloned().chain([part(&g_prime, begin(index), None)])));
             let end = self.breakpoints.get(index);
-            ended.push(part(&slope, begin(index), end));
+            ended.push(part(&g_prime, begin(index), end));
             before.push(beyond.clone());
         }
         all
@@ -303,20 +303,20 @@ impl SolvedChain {
         let mut ended: Vec<Formula> = Vec::new();
         let mut all = Vec::with_capacity(self.intervals.len());
         let mut previous = Expr::zero();
-        for (segment, slope) in self.remainder(SolvedTerm::has_open_pressure) {
+        for (segment, f_prime) in self.remainder(SolvedTerm::has_open_pressure) {
             if !segment.lower.is_zero() {
                 let place = Bindings::one("r", segment.lower.clone());
-                let jump = expanded_or_same(&(place.apply(&slope) - place.apply(&previous)), "r");
+                let jump = expanded_or_same(&(place.apply(&f_prime) - place.apply(&previous)), "r");
                 ended.push(Formula::Closed(jump * &segment.lower * kernel(&segment.lower)));
             }
-            let bend = derivative(&(Expr::symbol("r") * &slope), &radius)?;
+            let bend = derivative(&(Expr::symbol("r") * &f_prime), &radius)?;
             let up_to = |upper: Expr| integral(rename.apply(&bend) * kernel(&s), name, segment.lower.clone(), upper);
             let own = (!bend.is_zero()).then(|| up_to(a.clone()));
             all.push(Formula::sum(ended.iter().cloned().chain(own)));
             if !bend.is_zero() {
                 ended.push(up_to(segment.upper.clone().unwrap_or_else(|| a.clone())));
             }
-            previous = slope;
+            previous = f_prime;
         }
         Ok(all)
     }

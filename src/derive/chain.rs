@@ -25,7 +25,7 @@ impl Chain {
     ///
     /// # Errors
     /// Where a function of the table has no derivative.
-    pub fn slopes(&self) -> Result<Vec<Expr>, TransformError> {
+    pub fn f_primes(&self) -> Result<Vec<Expr>, TransformError> {
         let radius = Symbol::new("r");
         Ok(self.pieces.iter().map(|piece| derivative(piece, &radius)).collect::<Result<_, _>>()?)
     }

@@ -52,7 +52,7 @@ fn solve(profile: &Profile) -> Result<Solution, TransformError> {
     let (mut chains, mut verification) = (Vec::new(), Verification::default());
     let gate = Gate::new(profile, &profile.conditions);
     for chain in &profile.chains {
-        let slopes = chain.slopes()?;
+        let slopes = chain.f_primes()?;
         let mut solved = solve_chain(chain, &slopes, normal_parts);
         if !gate.recognition_holds(chain, &slopes, &solved) {
             verification.demoted.push(Demotion { rule: "recognition", quantity: "f'" });
@@ -72,8 +72,8 @@ fn solve(profile: &Profile) -> Result<Solution, TransformError> {
         }
     }
     // The pressure of an open term is an integral over (r f′)′, without which the result would be incomplete.
-    for (_, slope) in chains.iter().flat_map(|chain| chain.remainder(SolvedTerm::has_open_pressure)) {
-        derivative(&(Expr::symbol("r") * slope), &Symbol::new("r"))?;
+    for (_, f_prime) in chains.iter().flat_map(|chain| chain.remainder(SolvedTerm::has_open_pressure)) {
+        derivative(&(Expr::symbol("r") * f_prime), &Symbol::new("r"))?;
     }
     conditions.extend(demands::of_either_sign(&profile.demands, &conditions));
     conditions.sort();
@@ -86,9 +86,9 @@ fn solve(profile: &Profile) -> Result<Solution, TransformError> {
 /// The terms of f′; an expression that cannot be expanded is a single term without a rule.
 ///
 /// Coefficients that vanish by trigonometric identities, such as tan θ − sin θ/cos θ, are dropped.
-fn normal_parts(slope: &Expr) -> Option<Vec<NormalTerm>> {
+fn normal_parts(f_prime: &Expr) -> Option<Vec<NormalTerm>> {
     let radius = Symbol::new("r");
-    let mut terms = normal::normal_terms(slope, &radius).ok()?;
+    let mut terms = normal::normal_terms(f_prime, &radius).ok()?;
     terms.retain(|term| !angles::cancels(&term.coefficient, &radius));
     Some(terms)
 }
@@ -109,47 +109,47 @@ fn solve_chain(chain: &Chain, slopes: &[Expr], parts: impl Fn(&Expr) -> Option<V
     }
     let mut chains = Vec::new();
     if !common.is_empty() {
-        let slope = Expr::sum(common.iter().map(|part| part.to_expr(&radius)));
-        let intervals = vec![solve_interval(Segment::whole(), slope, Some(common.clone()))];
+        let f_prime = Expr::sum(common.iter().map(|part| part.to_expr(&radius)));
+        let intervals = vec![solve_interval(Segment::whole(), f_prime, Some(common.clone()))];
         chains.push(SolvedChain { breakpoints: Vec::new(), intervals });
     }
     let mut intervals = Vec::new();
-    for (index, (slope, list)) in slopes.iter().cloned().zip(parts).enumerate() {
+    for (index, (f_prime, list)) in slopes.iter().cloned().zip(parts).enumerate() {
         let lower = index.checked_sub(1).and_then(|i| chain.breakpoints.get(i)).cloned().unwrap_or_else(Expr::zero);
         let segment = Segment { lower, upper: chain.breakpoints.get(index).cloned() };
-        let slope = match (&list, common.is_empty()) {
+        let f_prime = match (&list, common.is_empty()) {
             (Some(list), false) => Expr::sum(list.iter().map(|part| part.to_expr(&radius))),
-            _ => slope,
+            _ => f_prime,
         };
-        intervals.push(solve_interval(segment, slope, list));
+        intervals.push(solve_interval(segment, f_prime, list));
     }
     chains.push(SolvedChain { breakpoints: chain.breakpoints.clone(), intervals });
     chains
 }
 
-fn solve_interval(segment: Segment, slope: Expr, parts: Option<Vec<NormalTerm>>) -> SolvedInterval {
+fn solve_interval(segment: Segment, f_prime: Expr, parts: Option<Vec<NormalTerm>>) -> SolvedInterval {
     let terms = match parts {
         Some(parts) => term::split(parts, &segment),
-        None => vec![whole(&slope, &segment)],
+        None => vec![whole(&f_prime, &segment)],
     };
     // No formula is exact if a breakpoint was located numerically.
     let rough = is_approximate(&segment.lower) || segment.upper.as_ref().is_some_and(is_approximate);
     let mut length = 0;
     let mut answer = |term: &Term| {
         let found = if rough || length >= rules::LARGEST { None } else { rules::answer(term) };
-        length += found.as_ref().map_or(0, |(_, own)| own.slope.within.shown.size_up_to(rules::LARGEST));
+        length += found.as_ref().map_or(0, |(_, own)| own.equivalent.within.shown.size_up_to(rules::LARGEST));
         found
     };
     let mut solved = |term: Term| SolvedTerm { answer: answer(&term), term, agreement: Agreement::default() };
     let mut terms: Vec<SolvedTerm> = rules::reading::remembered(|| terms.into_iter().map(&mut solved).collect());
     if length >= rules::LARGEST {
-        terms = vec![SolvedTerm { answer: None, term: whole(&slope, &segment), agreement: Agreement::default() }];
+        terms = vec![SolvedTerm { answer: None, term: whole(&f_prime, &segment), agreement: Agreement::default() }];
     }
-    SolvedInterval { segment, slope, terms }
+    SolvedInterval { segment, f_prime, terms }
 }
 
-fn whole(slope: &Expr, segment: &Segment) -> Term {
-    let part = NormalTerm { coefficient: Expr::one(), exponent: Expr::zero(), kernel: slope.clone() };
+fn whole(f_prime: &Expr, segment: &Segment) -> Term {
+    let part = NormalTerm { coefficient: Expr::one(), exponent: Expr::zero(), kernel: f_prime.clone() };
     Term { parts: vec![part], segment: segment.clone() }
 }
 
@@ -190,15 +190,15 @@ impl SolvedChain {
         self.intervals
             .iter()
             .map(|interval| {
-                let picked: Vec<Expr> = interval.terms.iter().filter(|t| left_out(t)).map(|t| t.term.slope()).collect();
-                let slope = if picked.is_empty() {
+                let picked: Vec<Expr> = interval.terms.iter().filter(|t| left_out(t)).map(|t| t.term.f_prime()).collect();
+                let f_prime = if picked.is_empty() {
                     Expr::zero()
                 } else if picked.len() == interval.terms.len() {
-                    interval.slope.clone()
+                    interval.f_prime.clone()
                 } else {
                     Expr::sum(picked)
                 };
-                (interval.segment.clone(), slope)
+                (interval.segment.clone(), f_prime)
             })
             .collect()
     }

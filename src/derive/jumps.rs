@@ -31,7 +31,7 @@ struct Step {
 fn steps(profile: &Profile) -> Option<Vec<Step>> {
     let mut found: Vec<Step> = Vec::new();
     for chain in &profile.chains {
-        let slopes = chain.slopes().ok()?;
+        let slopes = chain.f_primes().ok()?;
         let first = slopes.first()?;
         let apex = Step { radius: Expr::zero(), before: -first, after: first.clone() };
         let inner = chain.breakpoints.iter().zip(slopes.iter().zip(slopes.iter().skip(1)));

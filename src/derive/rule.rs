@@ -6,7 +6,7 @@ use crate::integrate::segment::Segment;
 
 /// One family of exact solutions.
 ///
-/// `pattern`, `slope`, `force` and `pressure` are the rule's statement in the program's own grammar; tests hold them
+/// `pattern`, `equivalent`, `force` and `pressure` are the rule's statement in the program's own grammar; tests hold them
 /// against the code and against quadrature, the documentation prints them, and the inverse reads them from g to f.
 pub struct Rule {
     /// Short name, as reports cite it.
@@ -16,7 +16,7 @@ pub struct Rule {
     /// f(r).
     pub pattern: &'static str,
     /// g(x).
-    pub slope: &'static str,
+    pub equivalent: &'static str,
     /// F(a), with E for the effective modulus.
     pub force: &'static str,
     /// p(r) under a smooth edge, where it closes.
@@ -47,7 +47,7 @@ pub struct Parameter {
 #[derive(Clone, Debug)]
 pub struct Answer {
     /// The contribution to g(x), over the symbol x.
-    pub slope: Branches,
+    pub equivalent: Branches,
     /// The contribution to F(a)/(2E*), over the symbol a.
     pub force: Branches,
     /// ∫_r^a g′(x)/√(x²−r²) dx, which is p(r)·π/E*, over the symbols r and a.
@@ -81,7 +81,7 @@ impl Answer {
         let pair = |own: &Pair| Pair { shown: form(&shown_as_mathematics(&own.shown)), evaluated: form(&own.evaluated) };
         let branches = |own: &Branches| Branches { within: pair(&own.within), beyond: pair(&own.beyond) };
         Self {
-            slope: branches(&self.slope),
+            equivalent: branches(&self.equivalent),
             force: branches(&self.force),
             pressure: self.pressure.as_ref().map(branches),
             conditions: self.conditions.clone(),

@@ -20,7 +20,7 @@ pub struct SolvedInterval {
     /// Where the interval lies.
     pub segment: Segment,
     /// f′ there, as it follows from the typed expression where nothing was taken out of it.
-    pub slope: Expr,
+    pub f_prime: Expr,
     /// The terms with their answers.
     pub terms: Vec<SolvedTerm>,
 }
@@ -40,7 +40,7 @@ pub struct SolvedTerm {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Agreement {
     /// g, within the segment and beyond it.
-    pub slope: bool,
+    pub equivalent: bool,
     /// F, within the segment and beyond it.
     pub force: bool,
     /// p, within the segment and beyond it.

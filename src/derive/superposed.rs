@@ -46,7 +46,7 @@ impl Superposed {
     fn branches(self, solved: &SolvedTerm) -> Option<Branches> {
         let answer = || solved.answer.as_ref().map(|(_, answer)| answer);
         match self {
-            Self::Equivalent => Some(answer()?.slope.clone()),
+            Self::Equivalent => Some(answer()?.equivalent.clone()),
             Self::Force => Some(answer()?.force.clone()),
             Self::Pressure => answer()?.pressure.clone(),
             // The solution is independent of the rules of the terms.
@@ -57,7 +57,7 @@ impl Superposed {
     /// True if the closed form of the term agreed with quadrature when it was derived; false for u outside, which is never shown.
     pub(crate) fn agrees(self, solved: &SolvedTerm) -> bool {
         match self {
-            Self::Equivalent => solved.agreement.slope,
+            Self::Equivalent => solved.agreement.equivalent,
             Self::Force => solved.agreement.force,
             Self::Pressure => solved.agreement.pressure,
             Self::Outside => false,

@@ -17,7 +17,7 @@ pub struct Term {
 
 impl Term {
     /// The term as an expression in r.
-    pub fn slope(&self) -> Expr {
+    pub fn f_prime(&self) -> Expr {
         let radius = Symbol::new("r");
         Expr::sum(self.parts.iter().map(|part| part.to_expr(&radius)))
     }

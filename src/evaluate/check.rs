@@ -119,7 +119,7 @@ fn compare(
         }
         let before = tally.compared;
         // Skip values that one side refuses.
-        let [slope_seen, force_seen, pressure_seen] = &mut *seen;
+        let [equivalent_seen, force_seen, pressure_seen] = &mut *seen;
         let mut take = |seen: &mut bool, own: Result<Reading, TransformError>, other: &dyn Fn() -> Result<Reading, TransformError>| {
             if let Ok(own) = own
                 && own.method != "quadrature"
@@ -130,7 +130,7 @@ fn compare(
                 *seen |= tally.compared > before;
             }
         };
-        take(slope_seen, strict.slope(x).or_else(|_| closed.slope(x)), &|| plain.slope(x));
+        take(equivalent_seen, strict.equivalent(x).or_else(|_| closed.equivalent(x)), &|| plain.equivalent(x));
         if index % every == 0 {
             take(force_seen, strict.force(x).or_else(|_| closed.force(x)), &|| plain.force(x));
             if closed_pressure && index % every_pressure == 0 {

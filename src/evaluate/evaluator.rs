@@ -83,7 +83,7 @@ pub(crate) struct Heights {
 
 pub(crate) struct NumericChain {
     pub(crate) breakpoints: Vec<Bounded>,
-    slope: OnceLock<Part>,
+    equivalent: OnceLock<Part>,
     force: OnceLock<Part>,
     pressure: OnceLock<Part>,
     outside: OnceLock<Part>,
@@ -105,7 +105,7 @@ impl<'a> Evaluator<'a> {
     /// let solution = derive(&profile).unwrap();
     /// let set = Bindings::one("R", Expr::integer(2));
     /// let evaluator = Evaluator::new(&solution, &set, Method::Auto, 1e-13).unwrap();
-    /// assert_eq!(evaluator.slope(3.0).unwrap().estimate.value, 4.5);
+    /// assert_eq!(evaluator.equivalent(3.0).unwrap().estimate.value, 4.5);
     /// ```
     ///
     /// # Errors
@@ -126,7 +126,7 @@ impl<'a> Evaluator<'a> {
             let breakpoints = chain.breakpoints.iter().map(|b| constant_value(b, bindings)).collect::<Result<_, _>>()?;
             chains.push(NumericChain {
                 breakpoints,
-                slope: OnceLock::new(),
+                equivalent: OnceLock::new(),
                 force: OnceLock::new(),
                 pressure: OnceLock::new(),
                 outside: OnceLock::new(),
@@ -184,8 +184,8 @@ impl<'a> Evaluator<'a> {
             return Ok(ready);
         }
         let intervals = self.solution.chains.iter().flat_map(|chain| &chain.intervals);
-        let slope = |interval: &SolvedInterval| Expr::sum(interval.terms.iter().map(|solved| solved.term.slope()));
-        let pieces: Vec<(Segment, Expr)> = intervals.map(|interval| (interval.segment.clone(), slope(interval))).collect();
+        let f_prime = |interval: &SolvedInterval| Expr::sum(interval.terms.iter().map(|solved| solved.term.f_prime()));
+        let pieces: Vec<(Segment, Expr)> = intervals.map(|interval| (interval.segment.clone(), f_prime(interval))).collect();
         let built = NumericProfile::new(&pieces, &self.bindings)?;
         work::check()?;
         Ok(self.recognised.get_or_init(|| built))
@@ -225,14 +225,14 @@ impl<'a> Evaluator<'a> {
     ///
     /// # Errors
     /// [`TransformError`]: outside the domain, without a required closed form, or without a reliable digit.
-    pub fn slope(&self, x: f64) -> Result<Reading, TransformError> {
+    pub fn equivalent(&self, x: f64) -> Result<Reading, TransformError> {
         self.number("x", Superposed::Equivalent, Ask::Equivalent(x))
     }
 
     /// F(a)/(2E*) under a smooth edge.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     pub fn force(&self, a: f64) -> Result<Reading, TransformError> {
         self.number("a", Superposed::Force, Ask::Force(a))
     }
@@ -283,7 +283,7 @@ impl<'a> Evaluator<'a> {
     /// f(r) − f(0): the typed expression if it is accurate, else ∫₀^r f′ dr.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     pub fn height(&self, r: f64) -> Result<Reading, TransformError> {
         self.check_domain("r", r)?;
         if let Method::Only(way) = self.method {
@@ -313,7 +313,7 @@ impl<'a> Evaluator<'a> {
     /// G(a) = ∫₀^a g dx: from the closed forms if that is accurate, else as a single integral.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     pub fn integral(&self, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
         let ask = Ask::Integral(a);
@@ -328,25 +328,25 @@ impl<'a> Evaluator<'a> {
 
     /// a g(a) − F/(2E*), with 30 digits if the difference cancels and both terms are closed.
     pub(crate) fn integral_of_parts(&self, a: f64) -> Result<Reading, TransformError> {
-        let (slope, force) = (self.slope(a)?, self.force(a)?);
-        let closed = Bounded::exact(a) * slope.estimate.bounded() - force.estimate.bounded();
+        let (equivalent, force) = (self.equivalent(a)?, self.force(a)?);
+        let closed = Bounded::exact(a) * equivalent.estimate.bounded() - force.estimate.bounded();
         // The methods of both terms.
-        let both = slope.estimate + force.estimate;
+        let both = equivalent.estimate + force.estimate;
         let precise = || self.precise_integral(a).unwrap_or((Precise::nan(), THIRTY_DIGITS));
         let closed = refined(closed, closed.value, good_enough(self.tolerance), precise);
         let way = if closed.way == DOUBLES { both.way } else { closed.way };
         let estimate = Estimate { evaluations: both.evaluations, bound: both.bound, way, ..closed };
-        Ok(Reading { estimate, method: slope.method })
+        Ok(Reading { estimate, method: equivalent.method })
     }
 
     /// a g(a) − F/(2E*) with 30 digits, if both terms are closed.
     fn precise_integral(&self, a: f64) -> Result<(Precise, &'static str), TransformError> {
         let forms = |quantity| self.closed_forms(quantity, a);
-        let (Some(slope), Some(force)) = (forms(Superposed::Equivalent)?, forms(Superposed::Force)?) else {
+        let (Some(equivalent), Some(force)) = (forms(Superposed::Equivalent)?, forms(Superposed::Force)?) else {
             return Ok((Precise::nan(), THIRTY_DIGITS));
         };
-        let ((slope, way), (force, _)) = (precise_total(&slope, &[a]), precise_total(&force, &[a]));
-        Ok((Precise::exact(a).mul(slope).sub(force), way))
+        let ((equivalent, way), (force, _)) = (precise_total(&equivalent, &[a]), precise_total(&force, &[a]));
+        Ok((Precise::exact(a).mul(equivalent).sub(force), way))
     }
 
     /// The closed form with 30 digits: g(x) at `[x]`, F/(2E*) at `[a]`, p π/E* at `[r, a]`, r < a; `None` if an integral remains.
@@ -373,7 +373,7 @@ impl<'a> Evaluator<'a> {
     /// u_z(r) outside a contact of radius a < r with a smooth edge.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     pub fn displacement(&self, r: f64, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
         beyond_the_edge("r", r, a)?;
@@ -388,7 +388,7 @@ impl<'a> Evaluator<'a> {
     /// ∫₀^a g′(x) x(x²+3z²)/(x²+z²)² dx, which is −σ_zz(z)·π/E* on the axis under a smooth edge; always by quadrature.
     ///
     /// # Errors
-    /// As [`Self::slope`]; [`TransformError::NoClosedForm`] if a closed form is required.
+    /// As [`Self::equivalent`]; [`TransformError::NoClosedForm`] if a closed form is required.
     pub fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
         work::bounded(|| self.stress_on_axis(z, a))
     }
@@ -436,7 +436,7 @@ impl<'a> Evaluator<'a> {
             return Err(TransformError::NoClosedForm { quantity: quantity.name() });
         };
         let cell = match quantity {
-            Superposed::Equivalent => &numeric.slope,
+            Superposed::Equivalent => &numeric.equivalent,
             Superposed::Force => &numeric.force,
             Superposed::Pressure => &numeric.pressure,
             Superposed::Outside => &numeric.outside,

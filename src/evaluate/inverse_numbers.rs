@@ -144,7 +144,7 @@ const DEAR: u64 = 500_000;
 
 /// (2/π) ∫₀^{π/2} g(r sin t) dt.
 fn transformed(g: &NumericProfile, r: f64, tolerance: f64) -> Result<Estimate, TransformError> {
-    let found = g.slope(r, tolerance)?;
+    let found = g.equivalent(r, tolerance)?;
     let factor = Bounded::exact(2.0) / (Bounded::rounded(std::f64::consts::PI) * Bounded::exact(r));
     Ok(found.times(factor))
 }

@@ -13,30 +13,30 @@ pub trait Quantities: Send + Sync {
     ///
     /// # Errors
     /// [`TransformError`] outside the domain, or if no digit is reliable.
-    fn slope(&self, x: f64) -> Result<Reading, TransformError>;
+    fn equivalent(&self, x: f64) -> Result<Reading, TransformError>;
 
     /// F(a)/(2E*) = ∫₀^a r² f′/√(a²−r²) dr.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     fn force(&self, a: f64) -> Result<Reading, TransformError>;
 
     /// G(a) = ∫₀^a g dx.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     fn integral(&self, a: f64) -> Result<Reading, TransformError>;
 
     /// p(r)·π/E* = ∫_r^a g′(x)/√(x²−r²) dx; `None` if it is theoretically infinite.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError>;
 
     /// ∫₀^a g′(x) x(x²+3z²)/(x²+z²)² dx, which is −σ_zz·π/E* at the depth z > 0 on the axis.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
         let _ = (z, a);
         Err(TransformError::NoClosedForm { quantity: "the stress below the surface" })
@@ -45,13 +45,13 @@ pub trait Quantities: Send + Sync {
     /// u_z(r) outside a contact of radius a < r.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     fn displacement(&self, r: f64, a: f64) -> Result<Reading, TransformError>;
 
     /// f(r) − f(0).
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     fn height(&self, r: f64) -> Result<Reading, TransformError>;
 
     /// The upper limit of r; infinite if there is none.
@@ -69,11 +69,11 @@ pub trait Quantities: Send + Sync {
     /// The radius of the flat part around the axis; 0 for a tip that is not flat.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     fn flat_radius(&self) -> Result<f64, TransformError> {
         let mut flat = 0.0;
         for b in self.breakpoints_below(f64::INFINITY) {
-            if self.slope(b)?.estimate.value == 0.0 {
+            if self.equivalent(b)?.estimate.value == 0.0 {
                 flat = b;
             }
         }
@@ -102,8 +102,8 @@ pub trait Quantities: Send + Sync {
 }
 
 impl Quantities for Evaluator<'_> {
-    fn slope(&self, x: f64) -> Result<Reading, TransformError> {
-        Self::slope(self, x)
+    fn equivalent(&self, x: f64) -> Result<Reading, TransformError> {
+        Self::equivalent(self, x)
     }
 
     fn force(&self, a: f64) -> Result<Reading, TransformError> {

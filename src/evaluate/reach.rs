@@ -11,7 +11,7 @@ pub fn reach(evaluator: &Evaluator<'_>) -> f64 {
     let mut end = evaluator.breakpoints_below(f64::INFINITY).last().map_or(3.0, |last| 2.5 * last);
     for _ in 0..SHRINKINGS {
         // Room for the square of the radius in F and G.
-        if evaluator.slope(end).is_ok_and(|g| (g.estimate.value * end * end).is_finite()) {
+        if evaluator.equivalent(end).is_ok_and(|g| (g.estimate.value * end * end).is_finite()) {
             break;
         }
         end *= 0.25;

@@ -30,7 +30,7 @@ pub struct PreciseProfile {
 struct PreciseSegment {
     lower: Precise,
     upper: Option<Precise>,
-    slope: Tape,
+    f_prime: Tape,
     bend: Option<Tape>,
 }
 
@@ -44,15 +44,15 @@ impl PreciseProfile {
         let none = Bindings::default();
         let mut segments = Vec::new();
         for chain in &profile.chains {
-            for ((lower, upper, _), slope) in chain.intervals().zip(chain.slopes()?) {
-                if slope.is_zero() {
+            for ((lower, upper, _), f_prime) in chain.intervals().zip(chain.f_primes()?) {
+                if f_prime.is_zero() {
                     continue;
                 }
-                let bend = derivative(&(Expr::symbol("r") * &slope), &radius).ok();
+                let bend = derivative(&(Expr::symbol("r") * &f_prime), &radius).ok();
                 segments.push(PreciseSegment {
                     lower: precise_value(&lower, &none)?,
                     upper: upper.map(|upper| precise_value(upper, &none)).transpose()?,
-                    slope: compile_shifted(&slope, &lower)?,
+                    f_prime: compile_shifted(&f_prime, &lower)?,
                     bend: bend.map(|bend| compile_shifted(&bend, &lower)).transpose()?,
                 });
             }
@@ -84,9 +84,9 @@ impl PreciseProfile {
             let value = self.rule.integrate(|q, rest| {
                 let delta = length.mul(q);
                 let r = segment.lower.add(delta);
-                let Some(slope) = segment.slope.run(&mut PreciseAlgebra, &[delta], &mut slots) else { return Precise::nan() };
+                let Some(f_prime) = segment.f_prime.run(&mut PreciseAlgebra, &[delta], &mut slots) else { return Precise::nan() };
                 let root = beyond.add(length.mul(rest)).mul(edge.add(r)).sqrt();
-                slope.mul(weight(r)).div(root)
+                f_prime.mul(weight(r)).div(root)
             });
             total = total.add(value.mul(length));
         }
@@ -138,11 +138,11 @@ impl PreciseSegment {
     /// b f′(b) K(b, s) at an end b of the segment.
     fn jump(&self, at: Precise, s: f64, a: f64) -> Option<Precise> {
         let delta = at.sub(self.lower);
-        let slope = self.slope.run(&mut PreciseAlgebra, &[delta], &mut Vec::new())?;
+        let f_prime = self.f_prime.run(&mut PreciseAlgebra, &[delta], &mut Vec::new())?;
         let (place, edge) = (Precise::exact(s), Precise::exact(a));
         let beyond = at.value.hi > s;
         let gap = if beyond { at.sub(place) } else { place.sub(at) };
-        Some(at.mul(slope).mul(kernel(at, beyond, gap, edge.sub(at), place, edge)))
+        Some(at.mul(f_prime).mul(kernel(at, beyond, gap, edge.sub(at), place, edge)))
     }
 }
 

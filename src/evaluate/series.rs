@@ -69,7 +69,7 @@ enum Weight {
     /// 1: f.
     Height,
     /// κ: g.
-    Slope,
+    Equivalent,
     /// κ ν/(ν+1) x: F/(2E*).
     Force,
     /// κ/(ν+1) x: G.
@@ -90,7 +90,7 @@ impl SeriesEvaluator {
     /// use sneddon::{parse, transform::{Profile, SeriesEvaluator}};
     /// let sphere = Profile::new(&parse::profile("2-sqrt(4-r^2)").unwrap()).unwrap();
     /// let series = SeriesEvaluator::new(&sphere, 30).unwrap();
-    /// let g = series.slope(0.5).unwrap().estimate;
+    /// let g = series.equivalent(0.5).unwrap().estimate;
     /// assert!((g.value - 0.5 * 0.25_f64.atanh()).abs() <= g.error && g.error < 1e-15);
     /// ```
     ///
@@ -125,8 +125,8 @@ impl SeriesEvaluator {
     ///
     /// # Errors
     /// As [`Self::height`].
-    pub fn slope(&self, x: f64) -> Result<Reading, SeriesFailure> {
-        self.value("x", x, Weight::Slope)
+    pub fn equivalent(&self, x: f64) -> Result<Reading, SeriesFailure> {
+        self.value("x", x, Weight::Equivalent)
     }
 
     /// F(a)/(2E*) under a smooth edge.
@@ -208,7 +208,7 @@ impl SeriesEvaluator {
             let kappa = with_ulps(kappa(power), 1.1);
             let factor = match weight {
                 Weight::Height => Bounded::exact(1.0),
-                Weight::Slope => kappa,
+                Weight::Equivalent => kappa,
                 Weight::Force => kappa * nu / next * Bounded::exact(x),
                 Weight::Integral => kappa / next * Bounded::exact(x),
                 Weight::Pressure(r) => kappa * nu * with_ulps(forms::pressure_power(power - 1.0, r, x), 7.0),
@@ -251,7 +251,7 @@ fn largest(first: usize, shift: f64, q: f64, weight: Weight) -> f64 {
         let kappa = (std::f64::consts::FRAC_PI_2 * (nu + 1.0)).sqrt();
         let factor = match weight {
             Weight::Height => 1.0,
-            Weight::Slope | Weight::Force => kappa,
+            Weight::Equivalent | Weight::Force => kappa,
             Weight::Integral => kappa / (nu + 1.0),
             // The pressure has no such bound below ν = 2.
             Weight::Pressure(_) if nu < 2.0 => f64::INFINITY,
@@ -273,7 +273,7 @@ fn largest(first: usize, shift: f64, q: f64, weight: Weight) -> f64 {
 /// The power of x in a weight, in addition to x^ν.
 fn scale(x: f64, weight: Weight) -> f64 {
     match weight {
-        Weight::Height | Weight::Slope => 1.0,
+        Weight::Height | Weight::Equivalent => 1.0,
         Weight::Force | Weight::Integral => x,
         Weight::Pressure(_) => 1.0 / x,
     }

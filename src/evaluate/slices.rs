@@ -95,7 +95,7 @@ struct Scratch {
 }
 
 impl Evaluator<'_> {
-    /// g at every x, as by [`Evaluator::slope`].
+    /// g at every x, as by [`Evaluator::equivalent`].
     ///
     /// With bounds, values equal the scalar results, and bounds may differ in their last digits. Values alone are computed by the
     /// form in doubles or, in dense parts of the slice, by polynomials (see [`Slice`]); they do not depend on earlier slices.
@@ -106,38 +106,38 @@ impl Evaluator<'_> {
     /// let solution = derive(&Profile::new(&parse::profile("r^2/4").unwrap()).unwrap()).unwrap();
     /// let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
     /// let (mut g, mut errors) = ([0.0; 3], [0.0; 3]);
-    /// evaluator.slopes(&[1.0, 2.0, 3.0], Slice::bounded(&mut g, &mut errors)).unwrap();
+    /// evaluator.equivalents(&[1.0, 2.0, 3.0], Slice::bounded(&mut g, &mut errors)).unwrap();
     /// assert_eq!(g, [0.5, 2.0, 4.5]);
     /// ```
     ///
     /// # Errors
     /// [`TransformError::Buffer`] for a buffer of another length, else the error of the first failing point.
-    pub fn slopes(&self, x: &[f64], out: Slice<'_>) -> Result<(), TransformError> {
-        self.fill(Wanted::Superposed(Superposed::Equivalent, None), x, out, &|x| self.slope(x).map(Some))
+    pub fn equivalents(&self, x: &[f64], out: Slice<'_>) -> Result<(), TransformError> {
+        self.fill(Wanted::Superposed(Superposed::Equivalent, None), x, out, &|x| self.equivalent(x).map(Some))
     }
 
-    /// F/(2E*) at every contact radius a, as by [`Evaluator::force`]; see [`Evaluator::slopes`].
+    /// F/(2E*) at every contact radius a, as by [`Evaluator::force`]; see [`Evaluator::equivalents`].
     ///
     /// # Errors
-    /// As [`Evaluator::slopes`].
+    /// As [`Evaluator::equivalents`].
     pub fn forces(&self, a: &[f64], out: Slice<'_>) -> Result<(), TransformError> {
         self.fill(Wanted::Superposed(Superposed::Force, None), a, out, &|a| self.force(a).map(Some))
     }
 
-    /// p·π/E* at every r under a contact of radius a, as by [`Evaluator::pressure`]; see [`Evaluator::slopes`].
+    /// p·π/E* at every r under a contact of radius a, as by [`Evaluator::pressure`]; see [`Evaluator::equivalents`].
     ///
     /// If the pressure is theoretically infinite, the value and its error are infinite, and the method is `infinite`.
     ///
     /// # Errors
-    /// As [`Evaluator::slopes`].
+    /// As [`Evaluator::equivalents`].
     pub fn pressures(&self, r: &[f64], a: f64, out: Slice<'_>) -> Result<(), TransformError> {
         self.fill(Wanted::Superposed(Superposed::Pressure, Some(a)), r, out, &|r| self.pressure(r, a))
     }
 
-    /// f(r) − f(0) at every r, as by [`Evaluator::height`]; see [`Evaluator::slopes`].
+    /// f(r) − f(0) at every r, as by [`Evaluator::height`]; see [`Evaluator::equivalents`].
     ///
     /// # Errors
-    /// As [`Evaluator::slopes`].
+    /// As [`Evaluator::equivalents`].
     pub fn heights(&self, r: &[f64], out: Slice<'_>) -> Result<(), TransformError> {
         self.fill(Wanted::Height, r, out, &|r| self.height(r).map(Some))
     }

@@ -31,20 +31,20 @@ pub trait Slopes: Send + Sync {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Over {
     /// Of f′.
-    pub slope: (f64, f64),
+    pub f_prime: (f64, f64),
     /// Of (r f′)′.
     pub bend: (f64, f64),
 }
 
 impl Slopes for TableProfile {
     fn first(&self, r: f64) -> Bounded {
-        self.at(r, |piece, delta| (piece.slope(delta), piece.slope_size(delta)))
+        self.at(r, |piece, delta| (piece.f_prime(delta), piece.f_prime_size(delta)))
     }
 
     fn bend(&self, r: f64) -> Bounded {
         self.at(r, |piece, delta| {
-            let size = piece.slope_size(delta) + r * piece.second_size(delta);
-            (piece.slope(delta) + r * piece.second(delta), size)
+            let size = piece.f_prime_size(delta) + r * piece.second_size(delta);
+            (piece.f_prime(delta) + r * piece.second(delta), size)
         })
     }
 
@@ -63,12 +63,12 @@ impl Slopes for TableProfile {
         own.map(|piece| {
             let [_, linear, quadratic, cubic] = piece.coefficients;
             let (from, to) = (lower.max(piece.lower) - piece.lower, upper.min(piece.upper) - piece.lower);
-            let slope = quadratic_over([linear, 2.0 * quadratic, 3.0 * cubic], from, to);
+            let f_prime = quadratic_over([linear, 2.0 * quadratic, 3.0 * cubic], from, to);
             let start = linear + 2.0 * quadratic * piece.lower;
             let bend = quadratic_over([start, 4.0 * quadratic + 6.0 * cubic * piece.lower, 9.0 * cubic], from, to);
-            Over { slope, bend }
+            Over { f_prime, bend }
         })
-        .reduce(|one, other| Over { slope: hull(one.slope, other.slope), bend: hull(one.bend, other.bend) })
+        .reduce(|one, other| Over { f_prime: hull(one.f_prime, other.f_prime), bend: hull(one.bend, other.bend) })
     }
 }
 
@@ -108,7 +108,7 @@ impl Slopes for ClosureProfile {
 impl Slopes for NumericProfile {
     fn first(&self, r: f64) -> Bounded {
         let (numbers, delta) = match self.segment(r) {
-            Some((segment, delta)) => (Some(&segment.slope), delta),
+            Some((segment, delta)) => (Some(&segment.f_prime), delta),
             None => (None, 0.0),
         };
         numbers.map_or(Bounded::exact(0.0), |own| own.at(Bounded::exact(delta), &mut Vec::new()))

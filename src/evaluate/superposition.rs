@@ -19,7 +19,7 @@ use std::sync::Arc;
 /// let tip = Arc::new(Profile::from_points(&r, &z, Interpolation::MonotoneCubic).unwrap());
 /// let both = Superposition::new(vec![tip.clone(), tip]);
 /// // r²/2 has g = x²
-/// assert!((both.slope(1.0).unwrap().estimate.value - 1.0).abs() < 1e-14);
+/// assert!((both.equivalent(1.0).unwrap().estimate.value - 1.0).abs() < 1e-14);
 /// ```
 #[derive(Clone)]
 pub struct Superposition<'a> {
@@ -72,9 +72,9 @@ fn sum(parts: impl Iterator<Item = Result<Reading, TransformError>>) -> Result<R
 }
 
 impl Quantities for Superposition<'_> {
-    fn slope(&self, x: f64) -> Result<Reading, TransformError> {
+    fn equivalent(&self, x: f64) -> Result<Reading, TransformError> {
         self.refuse_beyond_end("x", x)?;
-        self.added(|part| part.slope(x))
+        self.added(|part| part.equivalent(x))
     }
 
     fn force(&self, a: f64) -> Result<Reading, TransformError> {
@@ -173,7 +173,7 @@ impl Superposition<'_> {
             for (sum, rule) in sums.iter_mut().zip(&rules) {
                 for node in rule {
                     let x = (lower + (upper - lower) * node.t * node.t).min(a);
-                    let gap = depth - self.slope(x)?.estimate.bounded();
+                    let gap = depth - self.equivalent(x)?.estimate.bounded();
                     let weight = 2.0 * (upper - lower) * node.t * node.weight;
                     *sum = *sum + gap * gap * Bounded { value: weight, error: 4.0 * f64::EPSILON * weight };
                     evaluations += 1;

@@ -27,7 +27,7 @@ impl Evaluator<'_> {
     pub(crate) fn typed_less(&self, slopes: &[Expr]) -> Result<NumericProfile, TransformError> {
         let mut pieces: Vec<Piece> = Vec::new();
         for (index, chain) in self.solution.profile.chains.iter().enumerate() {
-            let line = slopes.get(index).map_or(Expr::zero(), |slope| slope * Expr::symbol("r"));
+            let line = slopes.get(index).map_or(Expr::zero(), |f_prime| f_prime * Expr::symbol("r"));
             let own = |(lower, upper, f): (Expr, Option<&Expr>, &Expr)| (Segment { lower, upper: upper.cloned() }, f - &line);
             pieces.extend(chain.intervals().map(own));
         }
@@ -53,8 +53,8 @@ impl Evaluator<'_> {
         if !built.is_ragged() {
             return Ok(built);
         }
-        let whole = |slope: &Expr| {
-            let own = slopes.iter().position(|(segment, own)| segment.lower.is_zero() && prepared(own, &self.bindings) == *slope);
+        let whole = |f_prime: &Expr| {
+            let own = slopes.iter().position(|(segment, own)| segment.lower.is_zero() && prepared(own, &self.bindings) == *f_prime);
             own.and_then(|index| pieces.get(index)).map(|(_, f)| self.bindings.apply(f))
         };
         Ok(built.mended(whole))
@@ -66,8 +66,8 @@ impl Evaluator<'_> {
         for (segment, f) in pieces {
             let (mut mended, mut others) = (Vec::new(), Vec::new());
             for term in f.terms().into_iter().filter(|_| segment.lower.is_zero()) {
-                let slope = derivative(&term, &Symbol::new("r"))?;
-                let own = NumericProfile::new(&[(segment.clone(), slope)], &self.bindings)?;
+                let f_prime = derivative(&term, &Symbol::new("r"))?;
+                let own = NumericProfile::new(&[(segment.clone(), f_prime)], &self.bindings)?;
                 let series = if own.is_ragged() { AxisSeries::of(&self.bindings.apply(&term)) } else { None };
                 if series.is_some_and(|own| !own.has_fractions()) { mended.push(term) } else { others.push(term) }
             }

@@ -9,11 +9,11 @@ use crate::integrate::segment::Segment;
 use crate::integrate::source::analytic_bound::AnalyticBound;
 use crate::integrate::source::centred::centred;
 use crate::integrate::source::endpoint::Endpoint;
+use crate::integrate::source::f_prime::{NO_BEND, Numbers, Scratch};
 use crate::integrate::source::leading_power::LeadingPower;
 use crate::integrate::source::limit::Limit;
 use crate::integrate::source::parity::{Parity, parity};
 use crate::integrate::source::removable::{AxisSeries, Removable, is_ragged};
-use crate::integrate::source::slope::{NO_BEND, Numbers, Scratch};
 use crate::num::quadrature::{Options, Panel, Point, Rule, integrate_blocks};
 use crate::num::stable::leg;
 use crate::num::{Bound, Bounded, Estimate, NumError, forms, work};
@@ -32,7 +32,7 @@ pub struct NumericSegment {
     /// Both ends with all known digits.
     pub(crate) ends: (Endpoint, Option<Endpoint>),
     /// f′ over δ.
-    pub(crate) slope: Numbers,
+    pub(crate) f_prime: Numbers,
     /// f′ and its interval's lower end as expressions in r, for tapes that are compiled on demand.
     pub(crate) source: Option<(Expr, Expr)>,
     /// f′ over δ for enclosures, compiled when they are first needed.
@@ -66,7 +66,7 @@ pub struct NumericSegment {
 #[derive(Clone, Copy, Debug)]
 pub enum Weight {
     /// 1: g(x) = x ∫ f′ dt.
-    Slope,
+    Equivalent,
     /// sin²t: F(a)/(2E*) = a² ∫ f′ sin²t dt.
     Force,
     /// cos²t: G(a) = a² ∫ f′ cos²t dt.
@@ -82,31 +82,31 @@ impl NumericProfile {
     /// [`TransformError::Evaluation`] if a parameter has no value.
     pub fn new(pieces: &[(Segment, Expr)], bindings: &Bindings) -> Result<Self, TransformError> {
         let mut segments = Vec::new();
-        for (segment, slope) in pieces {
-            if slope.is_zero() {
+        for (segment, f_prime) in pieces {
+            if f_prime.is_zero() {
                 continue;
             }
             let lower_expr = bindings.apply(&segment.lower);
             let lower = constant_value(&lower_expr, &Bindings::default())?;
             let upper = segment.upper.as_ref().map(|upper| constant_value(upper, bindings)).transpose()?;
-            let slope_expr = prepared(slope, bindings);
-            let tape = compile_shifted(&slope_expr, &lower_expr)?;
-            let slope = Numbers::Tape(tape);
+            let f_prime_expr = prepared(f_prime, bindings);
+            let tape = compile_shifted(&f_prime_expr, &lower_expr)?;
+            let f_prime = Numbers::Tape(tape);
             // Cancellation in a polynomial of high degree must not count as a singularity.
             let singular =
-                typed_degree(&slope_expr, &Symbol::new("r")).is_none() && is_singular(&slope, lower.value, upper.map(|u| u.value));
+                typed_degree(&f_prime_expr, &Symbol::new("r")).is_none() && is_singular(&f_prime, lower.value, upper.map(|u| u.value));
             let scale = upper.map_or(1.0, |upper| upper.value);
-            let ragged = lower_expr.is_zero() && matches!(&slope, Numbers::Tape(tape) if is_ragged(&slope_expr, tape, singular, scale));
-            let odd = parity(&slope_expr, &Symbol::new("r")) == Some(Parity::Odd);
+            let ragged = lower_expr.is_zero() && matches!(&f_prime, Numbers::Tape(tape) if is_ragged(&f_prime_expr, tape, singular, scale));
+            let odd = parity(&f_prime_expr, &Symbol::new("r")) == Some(Parity::Odd);
             let end = segment.upper.as_ref().map(|upper| bindings.apply(upper));
             let last = end.as_ref().zip(upper).map(|(end, upper)| Endpoint::of(end, upper)).transpose()?;
             let ends = (Endpoint::of(&lower_expr, lower)?, last);
-            let source = Some((slope_expr, lower_expr));
+            let source = Some((f_prime_expr, lower_expr));
             segments.push(NumericSegment {
                 lower,
                 upper,
                 ends,
-                slope,
+                f_prime,
                 source,
                 enclosing: OnceLock::new(),
                 power: OnceLock::new(),
@@ -134,8 +134,8 @@ impl NumericProfile {
         let limit = bindings.apply(limit);
         let value = constant_value(&limit, &Bindings::default())?;
         for segment in self.segments.iter_mut().filter(|segment| segment.upper.is_none()) {
-            let Some((slope, _)) = &segment.source else { continue };
-            let below = shifted(slope, &limit, &-Expr::from(Symbol::new("δ")));
+            let Some((f_prime, _)) = &segment.source else { continue };
+            let below = shifted(f_prime, &limit, &-Expr::from(Symbol::new("δ")));
             segment.limit = Some(Limit::new(value, below)?);
         }
         Ok(self)
@@ -159,8 +159,8 @@ impl NumericProfile {
             if !segment.singular || reach <= 0.0 {
                 return 0.0;
             }
-            let far = segment.slope.plain(reach);
-            let near = TINY.into_iter().map(|tiny| segment.slope.plain(tiny * reach) * tiny).find(|near| near.is_finite());
+            let far = segment.f_prime.plain(reach);
+            let near = TINY.into_iter().map(|tiny| segment.f_prime.plain(tiny * reach) * tiny).find(|near| near.is_finite());
             near.filter(|near| *near != 0.0).map_or(0.0, |near| (near / far).abs())
         };
         self.segments.iter().map(share).fold(0.0, f64::max) <= UNSEEN
@@ -237,7 +237,7 @@ impl NumericSegment {
             return 0.0;
         }
         // f′ ~ δ^m gives g ~ δ^(m + 1/2), F ~ δ^(m + 1/2) and G ~ δ^(m + 3/2).
-        let size = |delta: f64| self.slope_at(delta).value.abs();
+        let size = |delta: f64| self.f_prime_at(delta).value.abs();
         let power = (size(reach) / size(0.5 * reach)).log2();
         if power.is_nan() {
             return f64::INFINITY;
@@ -281,10 +281,10 @@ impl NumericSegment {
     /// Points within the interval below x, measured from the lower end, at which f′ is split into parts, or into resolved pieces
     /// for an integral without a proven bound.
     fn places_to_cut(&self, x: f64, weight: Weight, tolerance: f64) -> Vec<f64> {
-        if matches!(weight, Weight::Outside(_)) && self.slope.is_expression() {
+        if matches!(weight, Weight::Outside(_)) && self.f_prime.is_expression() {
             return self.features(x, tolerance);
         }
-        self.slope.cuts(self.upper.map_or(x, |upper| upper.value.min(x)) - self.lower.value)
+        self.f_prime.cuts(self.upper.map_or(x, |upper| upper.value.min(x)) - self.lower.value)
     }
 
     /// By adaptive quadrature over the angle, with the default rule unless another is named.
@@ -308,19 +308,19 @@ impl NumericSegment {
             (v, beyond + if last { point.from_upper } else { width - v })
         };
         let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
-            let nodes = self.slopes_over_angle(lower, x, points.iter().map(place), &mut scratch);
+            let nodes = self.f_prime_over_angle(lower, x, points.iter().map(place), &mut scratch);
             let known = nodes.slopes.into_iter().zip(nodes.distances).zip(nodes.doubts);
-            for ((height, point), ((slope, distance), doubt)) in heights.iter_mut().zip(points).zip(known) {
+            for ((height, point), ((f_prime, distance), doubt)) in heights.iter_mut().zip(points).zip(known) {
                 let (_, rest) = place(point);
                 *height = match weight {
-                    Weight::Slope => slope,
+                    Weight::Equivalent => f_prime,
                     Weight::Force => {
                         let share = (self.lower + Bounded { value: distance, error: doubt }) / Bounded::exact(x);
-                        slope * share * share
+                        f_prime * share * share
                     }
                     Weight::Integral => {
                         let cosine = with_ulps(rest.sin(), 8.0);
-                        slope * cosine * cosine
+                        f_prime * cosine * cosine
                     }
                     Weight::Outside(r) => {
                         // Multiply the roots separately: the product under one root may leave the range of doubles.
@@ -328,7 +328,7 @@ impl NumericSegment {
                         let (q, s) = (rest.sin(), (lower + distance) / x);
                         let short = s * s / (1.0 + q);
                         let angle = (q * ratio).atan();
-                        slope * with_ulps((short * ratio).atan2(1.0 + q * ratio * ratio) + short * angle, 24.0)
+                        f_prime * with_ulps((short * ratio).atan2(1.0 + q * ratio * ratio) + short * angle, 24.0)
                     }
                 };
             }
@@ -393,7 +393,7 @@ impl NumericSegment {
             return 0.0;
         }
         let end = self.upper.map_or(x, |u| u.value.min(x));
-        let size = |delta: f64| self.slope_at(delta).value.abs();
+        let size = |delta: f64| self.f_prime_at(delta).value.abs();
         let at_lower = if lower == 0.0 { 0.0 } else { self.mean_size(2.0 * self.lower.error) };
         // Doubled, because f′ is evaluated at the ends and the weights are below 2.
         2.0 * (lower * at_lower + upper * size((end - self.lower.value).max(f64::MIN_POSITIVE)))
@@ -402,7 +402,7 @@ impl NumericSegment {
     /// Returns an upper bound on the mean of |f′| over a short distance from the lower end, at which f′ may be infinite.
     fn mean_size(&self, distance: f64) -> f64 {
         const RATIO: f64 = 0.25;
-        let size = |delta: f64| self.slope_at(delta).value.abs();
+        let size = |delta: f64| self.f_prime_at(delta).value.abs();
         let (at_end, far) = (size(f64::MIN_POSITIVE), size(distance));
         if at_end.is_nan() || at_end <= 2.0 * far {
             return at_end;
@@ -440,8 +440,8 @@ impl NumericSegment {
     }
 
     fn bend_expression(&self) -> Option<Expr> {
-        let (slope, _) = self.source.as_ref()?;
-        derivative(&(Expr::symbol("r") * slope), &Symbol::new("r")).ok().map(|bend| balanced(&bend))
+        let (f_prime, _) = self.source.as_ref()?;
+        derivative(&(Expr::symbol("r") * f_prime), &Symbol::new("r")).ok().map(|bend| balanced(&bend))
     }
 
     /// (r f′)′ over the distance to the upper end, if it is infinite there, as for |r − b|^(3/2) at b.
@@ -467,8 +467,8 @@ pub(crate) fn compile_shifted(expr: &Expr, lower: &Expr) -> Result<Tape, Transfo
 }
 
 /// The expression from which f′ is compiled.
-pub(crate) fn prepared(slope: &Expr, bindings: &Bindings) -> Expr {
-    centred(&balanced(&bindings.apply(slope)))
+pub(crate) fn prepared(f_prime: &Expr, bindings: &Bindings) -> Expr {
+    centred(&balanced(&bindings.apply(f_prime)))
 }
 
 /// Substitutes lower + δ for r; the constant term of polynomials that vanish at the lower end is removed before any
@@ -508,7 +508,7 @@ pub(crate) fn typed_degree(expr: &Expr, variable: &Symbol) -> Option<usize> {
 }
 
 /// True if f′ behaves like a fractional or negative power of δ near 0.
-pub(crate) fn is_singular(slope: &Numbers, lower: f64, upper: Option<f64>) -> bool {
+pub(crate) fn is_singular(f_prime: &Numbers, lower: f64, upper: Option<f64>) -> bool {
     let scale = match upper {
         Some(upper) => upper - lower,
         None if lower > 0.0 => lower,
@@ -519,7 +519,7 @@ pub(crate) fn is_singular(slope: &Numbers, lower: f64, upper: Option<f64>) -> bo
     if near > 1e-6 * scale {
         return true;
     }
-    let at = |delta: f64| slope.at(Bounded::exact(delta), &mut Vec::new()).value;
+    let at = |delta: f64| f_prime.at(Bounded::exact(delta), &mut Vec::new()).value;
     let (u, v) = (at(1e3 * near), at(near));
     if u == 0.0 && v == 0.0 {
         return false;

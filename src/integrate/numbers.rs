@@ -13,15 +13,15 @@ impl NumericProfile {
     ///
     /// # Errors
     /// [`TransformError`] if f′ is not finite below x, or no digits can be promised.
-    pub fn slope(&self, x: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+    pub fn equivalent(&self, x: f64, tolerance: f64) -> Result<Estimate, TransformError> {
         finite_and_not_negative("x", x)?;
-        Ok(self.over_angle(x, Weight::Slope, tolerance, By::Cheapest)?.scaled(x))
+        Ok(self.over_angle(x, Weight::Equivalent, tolerance, By::Cheapest)?.scaled(x))
     }
 
     /// F(a)/(2E*) = ∫₀^a r² f′/√(a²−r²) dr, for a smooth edge.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     pub fn force(&self, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
         finite_and_not_negative("a", a)?;
         Ok(self.over_angle(a, Weight::Force, tolerance, By::Cheapest)?.scaled(a).scaled(a))
@@ -30,16 +30,16 @@ impl NumericProfile {
     /// g(x) by bisection with one Gauss–Kronrod rule, for those who want to know what a rule costs.
     ///
     /// # Errors
-    /// As [`Self::slope`].
-    pub fn slope_by(&self, x: f64, tolerance: f64, rule: Rule) -> Result<Estimate, TransformError> {
+    /// As [`Self::equivalent`].
+    pub fn equivalent_by(&self, x: f64, tolerance: f64, rule: Rule) -> Result<Estimate, TransformError> {
         finite_and_not_negative("x", x)?;
-        Ok(self.over_angle(x, Weight::Slope, tolerance, By::Rule(rule))?.scaled(x))
+        Ok(self.over_angle(x, Weight::Equivalent, tolerance, By::Rule(rule))?.scaled(x))
     }
 
     /// F(a)/(2E*) by bisection with one Gauss–Kronrod rule.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     pub fn force_by(&self, a: f64, tolerance: f64, rule: Rule) -> Result<Estimate, TransformError> {
         finite_and_not_negative("a", a)?;
         Ok(self.over_angle(a, Weight::Force, tolerance, By::Rule(rule))?.scaled(a).scaled(a))
@@ -48,7 +48,7 @@ impl NumericProfile {
     /// G(a) = ∫₀^a g dx = ∫₀^a f′ √(a²−r²) dr.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     pub fn integral(&self, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
         finite_and_not_negative("a", a)?;
         Ok(self.over_angle(a, Weight::Integral, tolerance, By::Cheapest)?.scaled(a).scaled(a))
@@ -57,7 +57,7 @@ impl NumericProfile {
     /// The displacement u_z(r) outside a contact of radius a < r with a smooth edge.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     pub fn displacement(&self, r: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
         finite_and_not_negative("a", a)?;
         beyond_the_edge("r", r, a)?;
@@ -73,10 +73,10 @@ impl NumericProfile {
     /// The requested number; `None` if it is theoretically infinite.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     pub(crate) fn answer(&self, ask: Ask, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         match ask {
-            Ask::Equivalent(x) => self.slope(x, tolerance).map(Some),
+            Ask::Equivalent(x) => self.equivalent(x, tolerance).map(Some),
             Ask::Force(a) => self.force(a, tolerance).map(Some),
             Ask::Integral(a) => self.integral(a, tolerance).map(Some),
             Ask::Pressure { r, a } => self.pressure(r, a, tolerance),
@@ -89,11 +89,11 @@ impl NumericProfile {
     /// The same in the way of a key alone.
     ///
     /// # Errors
-    /// As [`Self::slope`], and [`TransformError::NotThisWay`] if the way has no answer.
+    /// As [`Self::equivalent`], and [`TransformError::NotThisWay`] if the way has no answer.
     pub(crate) fn in_the_way(&self, key: &'static str, ask: Ask, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         let only = By::Only(key);
         let found = match ask {
-            Ask::Equivalent(x) => self.over_angle(x, Weight::Slope, tolerance, only)?.scaled(x),
+            Ask::Equivalent(x) => self.over_angle(x, Weight::Equivalent, tolerance, only)?.scaled(x),
             Ask::Force(a) => self.over_angle(a, Weight::Force, tolerance, only)?.scaled(a).scaled(a),
             Ask::Integral(a) => self.over_angle(a, Weight::Integral, tolerance, only)?.scaled(a).scaled(a),
             Ask::Outside { r, a } => self.outside(r, a, tolerance, only)?,

@@ -166,7 +166,7 @@ pub fn rules(rules: &[&Rule], out: &mut dyn Write) -> io::Result<()> {
             title: rule.title,
             pattern: rule.pattern,
             parameters: rule.parameters.iter().map(|p| Interval { name: p.name, lowest: p.lowest, highest: p.highest }).collect(),
-            result: Results { g: rule.slope, force: rule.force, p: rule.pressure },
+            result: Results { g: rule.equivalent, force: rule.force, p: rule.pressure },
             guard: rule.guard,
             source: rule.reference,
             specializes: rule.specializes,

@@ -36,7 +36,7 @@ pub fn rules(statements: &[Statement], out: &mut dyn Write) -> io::Result<()> {
 fn section(statement: &Statement, out: &mut dyn Write) -> io::Result<()> {
     let rule = statement.rule;
     writeln!(out, "\n## {}\n\n{}.\n\n```math\n\\begin{{aligned}}", rule.id, rule.title)?;
-    let mut lines = vec![("f(r)", &statement.pattern), ("g(x)", &statement.slope), ("F(a)", &statement.force)];
+    let mut lines = vec![("f(r)", &statement.pattern), ("g(x)", &statement.equivalent), ("F(a)", &statement.force)];
     lines.extend(statement.pressure.as_ref().map(|pressure| ("p(r)", pressure)));
     let lines: Vec<String> = lines.into_iter().map(|(left, formula)| format!("{left} &= {}", print::latex(formula))).collect();
     writeln!(out, "{}\n\\end{{aligned}}\n```\n", lines.join(" \\\\\n"))?;

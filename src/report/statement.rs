@@ -10,7 +10,7 @@ pub struct Statement {
     /// f(r).
     pub pattern: Formula,
     /// g(x).
-    pub slope: Formula,
+    pub equivalent: Formula,
     /// F(a).
     pub force: Formula,
     /// p(r), if there is a closed form.

@@ -123,7 +123,7 @@ pub fn rules(rules: &[&Rule], out: &mut dyn Write) -> io::Result<()> {
         }
         writeln!(out, "{}: {}", rule.id, rule.title)?;
         writeln!(out, "  f(r) = {}", rule.pattern)?;
-        writeln!(out, "  g(x) = {}", rule.slope)?;
+        writeln!(out, "  g(x) = {}", rule.equivalent)?;
         writeln!(out, "  F(a) = {}", rule.force)?;
         writeln!(out, "  p(r) = {}", rule.pressure.unwrap_or("(left as an integral)"))?;
         writeln!(out, "  where  {}", rule.guard)?;

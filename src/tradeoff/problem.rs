@@ -51,7 +51,7 @@ impl<'a> Problem<'a> {
             let seeded = Sampler::new(SEED).points(radius.unwrap_or(far), POINTS);
             // Inside a flat tip everything is 0, and no method has anything to do.
             let telling: Vec<f64> =
-                seeded.iter().copied().filter(|x| evaluator.slope(*x).map_or(true, |g| g.estimate.value != 0.0)).collect();
+                seeded.iter().copied().filter(|x| evaluator.equivalent(*x).map_or(true, |g| g.estimate.value != 0.0)).collect();
             if quantity == Quantity::Pressure || telling.is_empty() { seeded } else { telling }
         });
         let outermost = radius.into_iter().chain(points.iter().copied()).fold(0.0, f64::max);
@@ -85,7 +85,7 @@ impl<'a> Problem<'a> {
     /// The transform's own value by an evaluator.
     pub(super) fn read(&self, evaluator: &Evaluator<'_>, at: f64) -> Result<Estimate, String> {
         let reading = match (self.quantity, self.radius) {
-            (Quantity::Equivalent, _) => evaluator.slope(at).map(Some),
+            (Quantity::Equivalent, _) => evaluator.equivalent(at).map(Some),
             (Quantity::Force, _) => evaluator.force(at).map(Some),
             (_, radius) => evaluator.pressure(at, radius.unwrap_or(at)),
         };

@@ -163,8 +163,8 @@ impl<'c> Pressures<'c> {
     /// Takes the contact of the formula, if there is one, and the expected number of points.
     pub(super) fn new(exact: &'c Exact<'c>, formula: Option<&'c Formula<'c>>, state: &State, rows: u64) -> Self {
         let (a, shape) = (state.radius, exact.shape());
-        let slope = || shape.evaluator().slope(a).map_or(f64::NAN, |own| own.estimate.value);
-        let excess = if state.boundary == Boundary::Rim { state.depth - slope() } else { 0.0 };
+        let equivalent = || shape.evaluator().equivalent(a).map_or(f64::NAN, |own| own.estimate.value);
+        let excess = if state.boundary == Boundary::Rim { state.depth - equivalent() } else { 0.0 };
         let open = formula.filter(|own| rows >= MANY && a > 0.0 && !own.closes(a));
         let curve = open.and_then(|own| PressureCurve::new(own.contact.evaluator().typed().ok()?, a).ok());
         let (formula, sharp) = (formula.map(|own| &own.contact), exact.sharp(a));

@@ -42,7 +42,7 @@ fn depth_and_force_come_back() {
                 let d = share * most.min(3.0);
                 let a = found.contact_radius_at(d).unwrap().estimate;
                 assert!(a.error <= 1e-13 * a.value, "{text}: a({d}) = {a:?}");
-                let g = evaluator.slope(a.value).unwrap().estimate.value;
+                let g = evaluator.equivalent(a.value).unwrap().estimate.value;
                 // Next to the flat part of a worn tip a has fewer digits than g needs.
                 if text.starts_with("piecewise") && share < 0.01 {
                     continue;

@@ -292,9 +292,9 @@ fn count(counter: &AtomicU64) {
 }
 
 impl Quantities for Counted {
-    fn slope(&self, x: f64) -> Result<Reading, TransformError> {
+    fn equivalent(&self, x: f64) -> Result<Reading, TransformError> {
         count(&self.counts.slope);
-        self.profile.slope(x)
+        self.profile.equivalent(x)
     }
     fn force(&self, a: f64) -> Result<Reading, TransformError> {
         count(&self.counts.force);
@@ -468,7 +468,7 @@ fn the_errors_of_a_solved_load_hold() {
 /// d(a) = g(a) of a contact with a smooth edge.
 fn depth_at(text: &str, a: f64) -> f64 {
     let solution = solution(text);
-    Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap().slope(a).unwrap().estimate.value
+    Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap().equivalent(a).unwrap().estimate.value
 }
 
 /// Class "an unknown bend next to the axis proves that g rises": a bend of the form 0/0 has no enclosure at the axis.

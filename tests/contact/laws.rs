@@ -64,7 +64,7 @@ fn solutions_superpose() {
         let (a, part) = (stream.uniform(0.6, 2.5), stream.uniform(0.1, 0.9));
         let add = |u: Estimate, v: Estimate| scaled(u, alpha) + scaled(v, beta);
         let what = format!("{alpha}*({first})+{beta}*({second}) at {a}");
-        let slope = |own: &Contact<'_>| own.evaluator().slope(a).unwrap().estimate;
+        let slope = |own: &Contact<'_>| own.evaluator().equivalent(a).unwrap().estimate;
         let force = |own: &Contact<'_>| own.force(a).unwrap().estimate;
         let integral = |own: &Contact<'_>| own.integral(a).unwrap().estimate;
         same(&what, slope(&sum), add(slope(&one), slope(&two)));
@@ -88,7 +88,7 @@ fn solutions_scale() {
             let (own, other) = (contact(&own, &[], 1.0, None), contact(&other, &[], 1.0, None));
             let (a, part) = (stream.uniform(0.6, 2.5), stream.uniform(0.1, 0.9));
             let what = format!("{template} with H = {height}, L = {length} at {a}");
-            let slope = |own: &Contact<'_>, x| own.evaluator().slope(x).unwrap().estimate;
+            let slope = |own: &Contact<'_>, x| own.evaluator().equivalent(x).unwrap().estimate;
             same(&what, slope(&other, a / length), scaled(slope(&own, a), c));
             let force = |own: &Contact<'_>, a| own.force(a).unwrap().estimate;
             same(&what, force(&other, a / length), scaled(force(&own, a), c / length));
@@ -150,7 +150,7 @@ fn pressure_carries_the_force() {
         let panels = [Panel::singular(0.0, 0.5), Panel::singular(0.5, a)];
         let total = integrate(&mut inside, &panels, &Options { rel_tol: 1e-7, charge_x: false, ..Options::default() }).unwrap();
         assert!(relative(2.0 * PI * total.value, force.value) < 1e-7, "{template}: {} and {}", 2.0 * PI * total.value, force.value);
-        let whole = scaled(own.evaluator().slope(a).unwrap().estimate, a);
+        let whole = scaled(own.evaluator().equivalent(a).unwrap().estimate, a);
         same(template, own.integral(a).unwrap().estimate + scaled(force, 0.5 / modulus), whole);
     }
 }
@@ -162,7 +162,7 @@ fn pressure_next_to_the_edge_and_at_the_axis() {
     let solution = derived(&plain(template));
     let a = 1.5;
     let own = contact(&solution, &[], 1.0, None);
-    let slope = |x: f64| own.evaluator().slope(x).unwrap().estimate.value;
+    let slope = |x: f64| own.evaluator().equivalent(x).unwrap().estimate.value;
     let rise = (slope(a * (1.0 + 1e-5)) - slope(a * (1.0 - 1e-5))) / (2e-5 * a);
     for gap in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
         let r = a * (1.0 - gap);
@@ -296,7 +296,7 @@ fn rewriting_changes_nothing() {
                     let (difference, allowed) = ((one.value - two.value).abs(), one.error + two.error);
                     assert!(difference <= allowed, "{text}: {what} at {a}: {one:?} and {two:?}");
                 };
-                close("g", own.evaluator().slope(a).unwrap().estimate, first.evaluator().slope(a).unwrap().estimate);
+                close("g", own.evaluator().equivalent(a).unwrap().estimate, first.evaluator().equivalent(a).unwrap().estimate);
                 close("F", own.force(a).unwrap().estimate, first.force(a).unwrap().estimate);
                 close("p", pressure(&own, 0.7 * a, a).unwrap(), pressure(&first, 0.7 * a, a).unwrap());
             }
@@ -305,14 +305,14 @@ fn rewriting_changes_nothing() {
             if status(0)[0] == Some(Status::Exact) {
                 assert!(set.is_closed(), "{text}");
             }
-            let numeric = contact(&set, &[], 1.0, None).evaluator().slope(2.5).unwrap().estimate.value;
+            let numeric = contact(&set, &[], 1.0, None).evaluator().equivalent(2.5).unwrap().estimate.value;
             assert!(relative(numeric, number_of(&first)) < 1e-13, "{text}");
         }
     }
 }
 
 fn number_of(own: &Contact<'_>) -> f64 {
-    own.evaluator().slope(2.5).unwrap().estimate.value
+    own.evaluator().equivalent(2.5).unwrap().estimate.value
 }
 
 /// A solver may share one evaluator between its threads.
@@ -323,7 +323,7 @@ fn evaluators_are_shared_between_threads() {
     let evaluator = Evaluator::new(&solution, &bindings(&[("h", 2.0)]), Method::Auto, 1e-13).unwrap();
     shared(&evaluator);
     let values: Vec<f64> = std::thread::scope(|scope| {
-        let run = || evaluator.slope(0.5).unwrap().estimate.value;
+        let run = || evaluator.equivalent(0.5).unwrap().estimate.value;
         [scope.spawn(run), scope.spawn(run)].map(|worker| worker.join().unwrap()).to_vec()
     });
     assert_eq!(values[0], values[1]);

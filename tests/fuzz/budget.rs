@@ -122,11 +122,11 @@ fn an_evaluator_forgets_what_a_small_budget_cut_short() {
         let solution = derive(&profile).unwrap();
         let evaluator = || Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
         let fresh = evaluator();
-        let expected = (fresh.slope(1.1).unwrap(), fresh.force(1.1).unwrap(), fresh.pressure(0.5, 1.1).unwrap());
+        let expected = (fresh.equivalent(1.1).unwrap(), fresh.force(1.1).unwrap(), fresh.pressure(0.5, 1.1).unwrap());
         for steps in [1, 10, 100, 1000, 10_000, 100_000, 1_000_000] {
             let own = evaluator();
             let cut = within(Budget::steps(steps), || {
-                let found = (own.slope(1.1)?, own.force(1.1)?, own.pressure(0.5, 1.1)?);
+                let found = (own.equivalent(1.1)?, own.force(1.1)?, own.pressure(0.5, 1.1)?);
                 Ok::<_, TransformError>(found)
             });
             match cut {
@@ -134,7 +134,7 @@ fn an_evaluator_forgets_what_a_small_budget_cut_short() {
                 Err(TransformError::Exhausted(_)) => {}
                 Err(other) => panic!("{text} within {steps}: {other}"),
             }
-            let later = (own.slope(1.1).unwrap(), own.force(1.1).unwrap(), own.pressure(0.5, 1.1).unwrap());
+            let later = (own.equivalent(1.1).unwrap(), own.force(1.1).unwrap(), own.pressure(0.5, 1.1).unwrap());
             assert_eq!(later, expected, "{text} after {steps}");
         }
     }
@@ -161,7 +161,7 @@ fn waves_are_solved_without_a_test_of_every_root() {
         assert!(steps < 100_000_000, "{text}: {steps}");
         // The first root: g stays below the depth on the way to it.
         let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
-        let g = |x: f64| evaluator.slope(x).unwrap().estimate.value;
+        let g = |x: f64| evaluator.equivalent(x).unwrap().estimate.value;
         assert!((g(state.radius) - 0.3).abs() < 1e-12, "{text}");
         assert!((1..50).all(|i| g(state.radius * f64::from(i) / 50.0) < 0.3), "{text}");
     }
@@ -184,11 +184,11 @@ fn the_power_of_a_parameter_is_not_written_out() {
     let (solution, steps) = counted(|| derive(&Profile::new(&formula.substitute(&set)).unwrap()).unwrap());
     assert!(steps < 1_000_000, "{steps}");
     let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
-    assert!(matches!(evaluator.slope(0.75), Err(TransformError::Overflow { .. })));
+    assert!(matches!(evaluator.equivalent(0.75), Err(TransformError::Overflow { .. })));
     let solution = derive(&Profile::new(&parse::profile("r^2*(5/4)^999").unwrap()).unwrap()).unwrap();
     let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
     // mpmath: 2·0.75²·(5/4)^999
-    let g = evaluator.slope(0.75).unwrap().estimate;
+    let g = evaluator.equivalent(0.75).unwrap().estimate;
     assert!((g.value - 7.315_693_763_001_962e96).abs() <= g.error + 1e81, "{g:?}");
 }
 
@@ -325,7 +325,7 @@ fn an_ordinary_profile_costs_less_than_a_second() {
         let (found, steps) = counted(|| {
             let solution = derive(&Profile::new(&parse::profile(&text).unwrap())?)?;
             let evaluator = Evaluator::new(&solution, &Bindings::one("R", Expr::integer(2)), Method::Auto, 1e-12)?;
-            Ok::<_, TransformError>((evaluator.slope(0.7)?, evaluator.pressure(0.3, 0.7)?))
+            Ok::<_, TransformError>((evaluator.equivalent(0.7)?, evaluator.pressure(0.3, 0.7)?))
         });
         assert!(found.is_ok(), "{text}: {found:?}");
         assert!(steps < Budget::seconds(0.8).count(), "{text}: {steps} steps");
@@ -395,7 +395,7 @@ fn the_work_for_a_number_grows_little_faster_than_the_profile() {
     ] {
         let steps = |text: &str| {
             let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();
-            counted(|| Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap().slope(at).unwrap()).1 as f64
+            counted(|| Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap().equivalent(at).unwrap()).1 as f64
         };
         let (few, many) = (steps(&few), steps(&many));
         assert!((many / few).log2() < power, "{few} steps, then {many}");

@@ -148,7 +148,7 @@ fn cases(entry: &Entry, near: &Near<'_>, module: &str, own: Quantity, made: &Pro
                 let slope = (at(place * (1.0 + 1e-5)) - at(place * (1.0 - 1e-5))) / (2e-5 * place);
                 let rest = -depth.value.lo / slope;
                 // Where g has fallen before, an inner radius has the same depth.
-                let inside = |i: i32| evaluator.slope(place * f64::from(i) / 100.0);
+                let inside = |i: i32| evaluator.equivalent(place * f64::from(i) / 100.0);
                 let first = !(1..100).any(|i| inside(i).is_ok_and(|own| own.estimate.value > depth.value.hi));
                 if slope > 0.0 && depth.value.hi > 0.0 && first && (depth.value.hi / (slope * place)).is_finite() {
                     let truth = if own == Quantity::Radius {
@@ -194,7 +194,7 @@ impl<'a> Near<'a> {
             let reading = match own {
                 Superposed::Force => evaluator.force(inputs[0]).ok(),
                 Superposed::Pressure => evaluator.pressure(inputs[0], inputs[1]).ok().flatten(),
-                _ => evaluator.slope(inputs[0]).ok(),
+                _ => evaluator.equivalent(inputs[0]).ok(),
             };
             reading.map_or(f64::NAN, |own| own.estimate.value)
         };

@@ -258,7 +258,7 @@ fn a_slice_of_the_closed_form_has_every_digit() {
         let mut values = vec![0.0; long.len()];
         let out = Slice::values(&mut values);
         let inner = match quantity {
-            Quantity::Equivalent => evaluator.slopes(&long, out).map(|()| transform::Superposed::Equivalent),
+            Quantity::Equivalent => evaluator.equivalents(&long, out).map(|()| transform::Superposed::Equivalent),
             Quantity::Force => evaluator.forces(&long, out).map(|()| transform::Superposed::Force),
             _ => evaluator.pressures(&long, radius.unwrap(), out).map(|()| transform::Superposed::Pressure),
         };

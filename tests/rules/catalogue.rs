@@ -121,7 +121,7 @@ fn every_profile_is_right() {
         let (first, second) = (contact(&set, &none), contact(&symbolic, &entry.bindings));
         for (way, own) in sample([("set", &first), ("bound", &second)], number, 2) {
             let what = |name: &str, at: &str| format!("{} ({way}): {name}({at})", entry.id);
-            let slope = |x: f64| own.evaluator().slope(x).unwrap();
+            let slope = |x: f64| own.evaluator().equivalent(x).unwrap();
             for (x, truth) in entry.map("g") {
                 let truth = moved(truth, x, |x| slope(x).estimate.value);
                 hold(&what("g", x), slope(x.parse().unwrap()), &truth, entry.is_exact());
@@ -161,7 +161,7 @@ fn the_order_of_deriving_and_setting_does_not_matter() {
         };
         for part in (1..20).step_by(cases(4, 1)) {
             let x = a * f64::from(part) / 20.0;
-            same(first.evaluator().slope(x).unwrap(), second.evaluator().slope(x).unwrap(), "g");
+            same(first.evaluator().equivalent(x).unwrap(), second.evaluator().equivalent(x).unwrap(), "g");
             same(first.force(x).unwrap(), second.force(x).unwrap(), "F");
             same(first.integral(x).unwrap(), second.integral(x).unwrap(), "G");
             if let (Ok(one), Ok(two)) = (first.pressure(0.7 * x, x).unwrap(), second.pressure(0.7 * x, x).unwrap()) {
@@ -207,8 +207,8 @@ fn shown_formulas_are_the_numbers() {
                     at.extend(values.iter().map(|(name, v)| (name.as_str(), *v)));
                 }
                 for (name, shown, number) in [
-                    ("g", &relations.g, own.evaluator().slope(x).unwrap()),
-                    ("d", &relations.d, own.evaluator().slope(x).unwrap()),
+                    ("g", &relations.g, own.evaluator().equivalent(x).unwrap()),
+                    ("d", &relations.d, own.evaluator().equivalent(x).unwrap()),
                     ("F", &relations.force, own.force(x).unwrap()),
                     ("p", relations.pressure.as_ref().unwrap(), own.pressure(r, x).unwrap().unwrap()),
                 ] {
@@ -249,7 +249,7 @@ fn formulas_of_many_pieces_are_the_numbers() {
         for r in [0.3 * x, 0.9 * x] {
             let at = [("E", 1.0), ("x", x), ("a", x), ("r", r), ("b", b), ("C", c)];
             for (name, formula, number) in [
-                ("g", &shown.g.formula, own.evaluator().slope(x).unwrap()),
+                ("g", &shown.g.formula, own.evaluator().equivalent(x).unwrap()),
                 ("F", &shown.force.formula, own.force(x).unwrap()),
                 ("p", &shown.pressure.as_ref().unwrap().formula, own.pressure(r, x).unwrap().unwrap()),
             ] {

@@ -289,7 +289,7 @@ fn the_foundation_converges_to_the_exact_solution() {
     ] {
         let solution = derived_with(profile, values);
         let own = contact(&solution, &[], 1.0, None);
-        let g = |x: f64| own.evaluator().slope(x).map_or(f64::INFINITY, |g| g.estimate.value);
+        let g = |x: f64| own.evaluator().equivalent(x).map_or(f64::INFINITY, |g| g.estimate.value);
         let (d, force) = (g(a), own.force(a).unwrap().estimate.value);
         let measured = order(g, a, d, force, |state| state.force);
         assert!((measured - expected).abs() < 0.03, "{profile}: order {measured}");

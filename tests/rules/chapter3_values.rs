@@ -43,7 +43,7 @@ fn every_value_is_right() {
                 let solution = derived(PROFILES.iter().find(|(id, _)| *id == profile).unwrap().1);
                 let own = contact(&solution, &values, 1.0, None);
                 match quantity {
-                    "g" => own.evaluator().slope(get("x")).unwrap().estimate.value,
+                    "g" => own.evaluator().equivalent(get("x")).unwrap().estimate.value,
                     "F" => own.force(get("a")).unwrap().estimate.value,
                     "p" => own.pressure(get("r"), get("a")).unwrap().unwrap().estimate.value,
                     _ => {

@@ -10,7 +10,7 @@ fn slope(kernel: Expr, exponent: i64) -> Option<Expr> {
     let part = NormalTerm { coefficient: Expr::one(), exponent: Expr::integer(exponent), kernel };
     let rule = RULES.iter().find(|rule| rule.id == "hypergeometric").unwrap();
     let answer = (rule.apply)(&Term { parts: vec![part], segment: Segment::whole() })?;
-    Some(answer.slope.within.shown)
+    Some(answer.equivalent.within.shown)
 }
 
 #[test]

@@ -73,7 +73,7 @@ fn every_rule_reads_backwards() {
     let mut stream = Stream::new(12);
     let mut exact = 0;
     for (index, rule) in RULES.iter().enumerate().step_by(cases(3, 1)) {
-        let slope = formula(rule.slope);
+        let slope = formula(rule.equivalent);
         for _ in 0..cases(1, 2) {
             let values = draw(rule.parameters, &mut stream);
             let inverse = inverted(&slope.substitute(&bindings(&values)));

@@ -62,7 +62,7 @@ fn compared(text: &str, seed: u64) -> Result<bool, String> {
     let (Ok(auto), Ok(plain)) = (build(Method::Auto), build(Method::Quadrature)) else { return Ok(false) };
     let mut any = false;
     for x in sampler.points(reach(&auto).min(2.0), 2) {
-        let pairs = [(auto.slope(x), plain.slope(x)), (auto.force(x), plain.force(x))];
+        let pairs = [(auto.equivalent(x), plain.equivalent(x)), (auto.force(x), plain.force(x))];
         for (one, other) in pairs {
             let (Ok(one), Ok(other)) = (one, other) else { continue };
             let (one, other) = (one.estimate, other.estimate);

@@ -85,7 +85,7 @@ fn code_is_the_stated_formula() {
     let mut stream = Stream::new(2);
     for rule in RULES {
         let solution = derived(rule.pattern);
-        let (slope, force) = (formula(rule.slope), formula(rule.force));
+        let (slope, force) = (formula(rule.equivalent), formula(rule.force));
         let pressure = rule.pressure.map(formula);
         for _ in 0..draws() {
             let parameters = draw(rule, &mut stream);
@@ -97,7 +97,7 @@ fn code_is_the_stated_formula() {
                 let same = |what: &str, code: f64, stated: f64| {
                     assert!(relative(code, stated) < SAME, "{}: {what} is {code:e}, stated {stated:e} at {values:?}", rule.id);
                 };
-                same("g", own.slope(a).unwrap().estimate.value, value(&slope, &values));
+                same("g", own.equivalent(a).unwrap().estimate.value, value(&slope, &values));
                 same("F", 2.0 * own.force(a).unwrap().estimate.value, value(&force, &values));
                 if let Some(pressure) = &pressure {
                     let code = own.pressure(r, a).unwrap().unwrap().estimate.value / std::f64::consts::PI;
@@ -121,7 +121,7 @@ fn code_is_quadrature() {
             for _ in 0..cases(2, 4) {
                 let (a, r) = places(&exact, &mut stream);
                 for (what, one, two) in [
-                    ("g", Some(exact.slope(a).unwrap()), Some(plain.slope(a).unwrap())),
+                    ("g", Some(exact.equivalent(a).unwrap()), Some(plain.equivalent(a).unwrap())),
                     ("F", Some(exact.force(a).unwrap()), Some(plain.force(a).unwrap())),
                     (
                         "p",
@@ -145,7 +145,7 @@ fn code_is_quadrature() {
 }
 
 fn branches(answer: &Answer) -> Vec<(&'static str, &Branches)> {
-    [("g", Some(&answer.slope)), ("F", Some(&answer.force)), ("p", answer.pressure.as_ref())]
+    [("g", Some(&answer.equivalent)), ("F", Some(&answer.force)), ("p", answer.pressure.as_ref())]
         .into_iter()
         .filter_map(|(name, b)| Some((name, b?)))
         .collect()
@@ -250,7 +250,7 @@ fn any_term_that_a_rule_accepts_is_right() {
         let term = term(source, &mut stream);
         let Some((rule, answer)) = rules::answer(&term) else { continue };
         let count = &mut answered[RULES.iter().position(|own| own.id == rule.id).unwrap()];
-        let numeric = NumericProfile::new(&[(term.segment.clone(), term.slope())], &Bindings::default()).unwrap();
+        let numeric = NumericProfile::new(&[(term.segment.clone(), term.f_prime())], &Bindings::default()).unwrap();
         let upper = term.segment.upper.as_ref().map_or(f64::INFINITY, |c| number(c, &[]));
         let lower = number(&term.segment.lower, &[]);
         for _ in 0..cases(2, 3) {
@@ -264,8 +264,8 @@ fn any_term_that_a_rule_accepts_is_right() {
                 continue;
             }
             let pick = |branches: &Branches| if a > upper { branches.beyond.clone() } else { branches.within.clone() };
-            let Ok(slope) = numeric.slope(a, 1e-12) else { continue };
-            let mut pairs = vec![("g", pick(&answer.slope), slope), ("F", pick(&answer.force), numeric.force(a, 1e-12).unwrap())];
+            let Ok(slope) = numeric.equivalent(a, 1e-12) else { continue };
+            let mut pairs = vec![("g", pick(&answer.equivalent), slope), ("F", pick(&answer.force), numeric.force(a, 1e-12).unwrap())];
             if let (Some(branches), Ok(Some(found))) = (&answer.pressure, numeric.pressure(r, a, 1e-12)) {
                 pairs.push(("p", pick(branches), found));
             }
@@ -348,7 +348,7 @@ fn the_general_rule_agrees_with_every_other() {
             let (Some((own, answer)), Some(general)) = (&solved.answer, (GENERAL.apply)(&solved.term)) else { continue };
             let a = stream.uniform(0.1, 1.2);
             let values = [("x", a), ("a", a)];
-            for (what, one, two) in [("g", &answer.slope, &general.slope), ("F", &answer.force, &general.force)] {
+            for (what, one, two) in [("g", &answer.equivalent, &general.equivalent), ("F", &answer.force, &general.force)] {
                 let (one, two) = (number(&one.within.evaluated, &values), number(&two.within.evaluated, &values));
                 // Beyond its series the general form may have no number.
                 if two.is_finite() {

@@ -51,7 +51,7 @@ fn every_rule_is_right_everywhere() {
         assert!(solution.terms().all(|t| t.answer.as_ref().is_some_and(|(own, _)| own.id == *rule)), "{case}");
         let own = contact(solution, &parameters, 1.0, None);
         let reading = match quantity {
-            "g" => own.evaluator().slope(get("x")).unwrap(),
+            "g" => own.evaluator().equivalent(get("x")).unwrap(),
             "F" => own.force(get("a")).unwrap(),
             _ => own.pressure(get("r"), get("a")).unwrap().unwrap(),
         };

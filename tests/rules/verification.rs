@@ -25,7 +25,7 @@ fn products_of_functions_keep_every_factor() {
     ] {
         let solution = solution(profile);
         let evaluator = Evaluator::new(&solution, &Bindings::one("R", Expr::integer(4)), Method::Auto, 1e-13).unwrap();
-        let found = evaluator.slope(0.8).unwrap().estimate;
+        let found = evaluator.equivalent(0.8).unwrap().estimate;
         assert!((found.value - truth).abs() <= found.error + 1e-16, "{profile}: {found:?}, {truth}");
     }
 }
@@ -140,16 +140,16 @@ fn planted_answers_are_given_up() {
         *branches = branches.scaled(factor);
     }
     let faults: [Fault; 7] = [
-        ("g", |answer, factor| scaled(&mut answer.slope, factor)),
+        ("g", |answer, factor| scaled(&mut answer.equivalent, factor)),
         ("F", |answer, factor| scaled(&mut answer.force, factor)),
         ("p", |answer, factor| answer.pressure = answer.pressure.as_ref().map(|own| own.scaled(factor))),
-        ("g", |answer, factor| answer.slope.within.shown = factor * &answer.slope.within.shown),
+        ("g", |answer, factor| answer.equivalent.within.shown = factor * &answer.equivalent.within.shown),
         ("p", |answer, factor| {
             if let Some(own) = &mut answer.pressure {
                 own.within.shown = factor * &own.within.shown;
             }
         }),
-        ("g", |answer, factor| answer.slope.beyond = answer.slope.beyond.scaled(factor)),
+        ("g", |answer, factor| answer.equivalent.beyond = answer.equivalent.beyond.scaled(factor)),
         ("p", |answer, factor| {
             if let Some(own) = &mut answer.pressure {
                 own.beyond = own.beyond.scaled(factor);
@@ -244,7 +244,7 @@ fn lost_factors_are_noticed() {
     let own = derived(symbol("r") * bessel.power(2) + symbol("r").power(2));
     let chain = own.profile.chains.first().unwrap();
     let gate = Gate::new(&own.profile, &[]);
-    let slopes = chain.slopes().unwrap();
+    let slopes = chain.f_primes().unwrap();
     assert!(gate.recognition_holds(chain, &slopes, &own.chains));
     let mut lost = own.chains.clone();
     lost.first_mut().unwrap().intervals.first_mut().unwrap().terms.pop();

@@ -123,7 +123,7 @@ fn both_ends_are_known() {
 fn closures_and_tables_answer_too() {
     let formula = solution("r^2/4");
     let expected = contact(&formula, None).axial_stress(0.3, 1.0).unwrap().unwrap().estimate;
-    let closure = Contact::new(Closure::with_slope(|r| r * r / 4.0, |r| r / 2.0).profile().unwrap(), 1.0, None, 1e-12);
+    let closure = Contact::new(Closure::with_f_prime(|r| r * r / 4.0, |r| r / 2.0).profile().unwrap(), 1.0, None, 1e-12);
     let r: Vec<f64> = (0..=64).map(|i| f64::from(i) / 32.0).collect();
     let z: Vec<f64> = r.iter().map(|r| r * r / 4.0).collect();
     let table = Contact::new(Profile::from_points(&r, &z, Interpolation::MonotoneCubic).unwrap(), 1.0, None, 1e-12);

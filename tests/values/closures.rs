@@ -74,8 +74,8 @@ const GIVEN: [Given; 5] = [
 type Kind = (&'static str, fn(&Given) -> Closure, f64, f64);
 
 const KINDS: [Kind; 4] = [
-    ("f, f′ and f″", |own| Closure::with_slopes(own.real, own.slope, own.second), 1e-12, 5e-12),
-    ("f and f′", |own| Closure::with_slope(own.real, own.slope), 1e-12, 5e-12),
+    ("f, f′ and f″", |own| Closure::with_f_primes(own.real, own.slope, own.second), 1e-12, 5e-12),
+    ("f and f′", |own| Closure::with_f_prime(own.real, own.slope), 1e-12, 5e-12),
     ("complex f", |own| Closure::complex(own.complex), 1e-12, 5e-12),
     ("f alone", |own| Closure::real(own.real), 4e-12, 3e-10),
 ];
@@ -131,10 +131,10 @@ fn laws_hold_for_a_closure_without_closed_form() {
 #[test]
 fn even_closures_take_fewer_values() {
     let (a, s) = (2.5, 1.1);
-    let plain = || Closure::with_slope(|r| (2.0 * (0.5 * r).sinh().powi(2)).ln_1p(), f64::tanh);
+    let plain = || Closure::with_f_prime(|r| (2.0 * (0.5 * r).sinh().powi(2)).ln_1p(), f64::tanh);
     let found = |own: Closure| {
         let own = own.profile().unwrap();
-        [own.slope(a), own.force(a), own.integral(a), own.pressure(s, a).map(Option::unwrap)].map(|own| own.unwrap().estimate)
+        [own.equivalent(a), own.force(a), own.integral(a), own.pressure(s, a).map(Option::unwrap)].map(|own| own.unwrap().estimate)
     };
     let (told, untold) = (found(plain().parity(Parity::Even)), found(plain()));
     for (one, other) in told.iter().zip(&untold) {
@@ -144,14 +144,14 @@ fn even_closures_take_fewer_values() {
     let [.., one, other] = told.map(|own| own.error / own.value);
     assert!(one < 1e-12 && other < 1e-12, "{told:?}");
     // A cone is not even: g = πx/2, πp/E* = (π/2) arcosh(a/s).
-    let [g, .., p] = found(Closure::with_slope(|r| r, |_| 1.0).parity(Parity::Even));
+    let [g, .., p] = found(Closure::with_f_prime(|r| r, |_| 1.0).parity(Parity::Even));
     assert!((g.value - 0.5 * PI * a).abs() <= g.error && (p.value - 0.5 * PI * (a / s).acosh()).abs() <= p.error, "{g:?} {p:?}");
 }
 
 #[test]
 fn what_cannot_be_is_refused_with_its_radius() {
     let stated = |own: Closure| own.profile().err().unwrap();
-    let hertz = || Closure::with_slope(|r| 0.5 * r * r, |r| r);
+    let hertz = || Closure::with_f_prime(|r| 0.5 * r * r, |r| r);
     assert!(matches!(stated(hertz().breakpoints([1.0, 0.5])), TransformError::Statement { got: 0.5, .. }));
     assert!(matches!(stated(hertz().breakpoints([f64::NAN])), TransformError::Statement { .. }));
     assert!(matches!(stated(hertz().limit(0.0)), TransformError::Statement { .. }));
@@ -161,15 +161,15 @@ fn what_cannot_be_is_refused_with_its_radius() {
     let jump = Closure::real(|r| if r < 1.0 { r * r } else { r * r + 0.1 }).breakpoints([1.0]);
     assert!(matches!(stated(jump), TransformError::Jump { .. }));
     // Beyond r = 3 the root is NaN, which was not stated.
-    let own = Closure::with_slope(|r| 3.0 - (9.0 - r * r).sqrt(), |r| r / (9.0 - r * r).sqrt()).profile().unwrap();
-    assert!(own.slope(2.5).is_ok());
-    match own.slope(5.0) {
+    let own = Closure::with_f_prime(|r| 3.0 - (9.0 - r * r).sqrt(), |r| r / (9.0 - r * r).sqrt()).profile().unwrap();
+    assert!(own.equivalent(2.5).is_ok());
+    match own.equivalent(5.0) {
         Err(TransformError::Undefined { radius }) => assert!((3.0..=5.0).contains(&radius), "{radius}"),
         other => panic!("{other:?}"),
     }
     let own = hertz().limit(2.0).profile().unwrap();
-    assert!(matches!(own.slope(2.0), Err(TransformError::OutOfDomain { .. })));
-    assert!(own.slope(f64::NAN).is_err() && own.force(-1.0).is_err() && own.displacement(0.5, 1.0).is_err());
+    assert!(matches!(own.equivalent(2.0), Err(TransformError::OutOfDomain { .. })));
+    assert!(own.equivalent(f64::NAN).is_err() && own.force(-1.0).is_err() && own.displacement(0.5, 1.0).is_err());
     // A kink that is not told hides a point mass from f″.
     let own = Closure::real(|r| if r < 0.3 { 0.0 } else { r - 0.3 }).profile().unwrap();
     match own.pressure(0.25, 1.0) {
@@ -178,7 +178,7 @@ fn what_cannot_be_is_refused_with_its_radius() {
     }
     let told = Closure::real(|r| if r < 0.3 { 0.0 } else { r - 0.3 }).breakpoints([0.3]).profile().unwrap();
     let p = told.pressure(0.25, 1.0).unwrap().unwrap().estimate;
-    let by_quadrature = Closure::with_slopes(|r| (r - 0.3f64).max(0.0), |r| f64::from(u8::from(r >= 0.3)), |_| 0.0);
+    let by_quadrature = Closure::with_f_primes(|r| (r - 0.3f64).max(0.0), |r| f64::from(u8::from(r >= 0.3)), |_| 0.0);
     let other = by_quadrature.breakpoints([0.3]).profile().unwrap().pressure(0.25, 1.0).unwrap().unwrap().estimate;
     assert!((p.value - other.value).abs() <= p.error + other.error && p.error < 1e-9, "{p:?} {other:?}");
 }
@@ -334,7 +334,7 @@ fn steps_are_not_answered_as_what_lies_behind_them() {
             // A step of height h at b adds h x/√(x² − b²).
             let steps = (1..).map(|k| f64::from(k) * step).take_while(|b| *b < x).map(|b| step * x / ((x - b) * (x + b)).sqrt());
             let truth = smooth * x * x + steps.sum::<f64>();
-            match own.slope(x) {
+            match own.equivalent(x) {
                 Ok(found) => {
                     let Estimate { value, error, .. } = found.estimate;
                     assert!(
@@ -385,7 +385,7 @@ fn kinks_among_noise_are_found() {
         let own = Closure::real(f).tolerance(1e-10).profile().unwrap();
         for x in [0.5_f64, 1.0] {
             let truth = scale * x * (x / radius).atanh() + slope * x * (0.5 * PI - 2.0 * (b / x).asin());
-            let Estimate { value, error, .. } = own.slope(x).unwrap().estimate;
+            let Estimate { value, error, .. } = own.equivalent(x).unwrap().estimate;
             assert!((value - truth).abs() <= error && error <= 1e-8 * truth, "{radius}, {x}: {value} ± {error}, {truth}");
         }
     }
@@ -402,7 +402,7 @@ fn kinks_between_the_axis_and_the_end_of_a_wide_fit_are_found() {
         let solution = derived(&format!("(r/{w:?}-sin(r/{w:?}))*({c:?}+abs(r-{b:?}))"));
         let formula = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
         for x in [1.0003, 1.05, 1.4, 2.5].map(|share| share * b) {
-            for (found, truth) in [(own.slope(x), formula.slope(x)), (own.force(x), formula.force(x))] {
+            for (found, truth) in [(own.equivalent(x), formula.equivalent(x)), (own.force(x), formula.force(x))] {
                 let (found, truth) = (found.unwrap().estimate, truth.unwrap().estimate);
                 let off = (found.value - truth.value).abs();
                 assert!(off <= found.error + truth.error, "w = {w}, b = {b}, {x}: {off:e} beyond {:e}", found.error);
@@ -428,7 +428,7 @@ fn linear_interpolation_of_many_points_is_followed() {
             let arcs = |k: u32| (f64::from(k) * step / x).min(1.0).asin();
             let terms = (0..intervals).map(|k| f64::from(2 * k + 1) * step * (arcs(k + 1) - arcs(k)));
             let truth = x * terms.sum::<f64>();
-            let Estimate { value, error, .. } = own.slope(x).unwrap().estimate;
+            let Estimate { value, error, .. } = own.equivalent(x).unwrap().estimate;
             assert!((value - truth).abs() <= error && error <= most * truth, "{intervals}, {x}: {value} ± {error}, {truth}");
         }
     }
@@ -441,7 +441,7 @@ fn short_waves_are_followed() {
         let own = Closure::real(move |r| r * r + (k * r).sin() / k).tolerance(1e-10).profile().unwrap();
         // ∫₀ˣ cos(kr)/√(x² − r²) dr = π J₀(kx)/2, with J₀(kx) at x = 1/2 from mpmath.
         let truth = 0.5 + 0.25 * PI * bessel;
-        let Estimate { value, error, .. } = own.slope(0.5).unwrap().estimate;
+        let Estimate { value, error, .. } = own.equivalent(0.5).unwrap().estimate;
         assert!((value - truth).abs() <= error && error <= 6e-10, "{k}: {value} ± {error}, {truth}");
     }
 }
@@ -482,7 +482,7 @@ fn single_steps_are_part_of_the_bound() {
             let step = if x > b { height * x / ((x - b) * (x + b)).sqrt() } else { 0.0 };
             // F/(2 E*) of the step is h b²/√(x² − b²).
             let inner = if x > b { height * b * b / ((x - b) * (x + b)).sqrt() } else { 0.0 };
-            let truths = [(own.slope(x), 2.0 * smooth * x * x + step), (own.force(x), 4.0 / 3.0 * smooth * x.powi(3) + inner)];
+            let truths = [(own.equivalent(x), 2.0 * smooth * x * x + step), (own.force(x), 4.0 / 3.0 * smooth * x.powi(3) + inner)];
             for (found, truth) in truths {
                 match found {
                     Ok(found) => {

@@ -65,7 +65,7 @@ fn the_catalogue_agrees_with_its_digits() {
             }
         };
         for (x, exact) in pairs(&truth["g"]) {
-            judge("g", x, curve.slope(x).unwrap(), &exact, largest, 2e-12);
+            judge("g", x, curve.equivalent(x).unwrap(), &exact, largest, 2e-12);
         }
         let read = |name: &str| Decimal::read(truth[name].as_str().unwrap());
         let (force, area) = (read("F"), read("G"));
@@ -98,7 +98,7 @@ fn examined(text: &str, solution: &Solution, reach: f64, tolerance: f64, count: 
     for index in 0..count {
         let x = reach * if index % 2 == 0 { stream.unit() } else { stream.unit().powi(4) };
         let triples = [
-            ("g", curve.slope(x), evaluator.slope(x)),
+            ("g", curve.equivalent(x), evaluator.equivalent(x)),
             ("F", curve.force(x), evaluator.force(x)),
             ("G", curve.integral(x), evaluator.integral(x)),
         ];

@@ -29,7 +29,7 @@ fn energies_are_proven() {
             let own = contact(&solution, method, depth);
             let found = own.energy(a).unwrap().estimate;
             // Next to the end of a sphere g itself is estimated by quadrature.
-            let expected = own.evaluator().slope(a).unwrap().estimate.bound;
+            let expected = own.evaluator().equivalent(a).unwrap().estimate.bound;
             assert_eq!(found.bound, expected, "{line}, {method:?}: {found:?}");
             assert!(expected == Bound::Proven || (method == Method::Quadrature && a == 0.999), "{line}");
             assert!(truth.distance(found.value) <= found.error, "{line}, {method:?}: {found:?}");

@@ -15,7 +15,7 @@ fn no_narrow_feature_is_missed() {
         let (place, truth): (f64, f64) = (place.parse().unwrap(), value.parse().unwrap());
         let solution = derive(&Profile::new(&parse::profile(profile).unwrap()).unwrap()).unwrap();
         let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
-        let found = if quantity == "g" { evaluator.slope(place) } else { evaluator.force(place) };
+        let found = if quantity == "g" { evaluator.equivalent(place) } else { evaluator.force(place) };
         seen += 1;
         let Ok(found) = found else {
             refused += 1;
@@ -74,7 +74,7 @@ fn a_kink_far_below_the_contact_keeps_the_bound() {
         let solution = derive(&Profile::new(&parse::profile(&profile).unwrap()).unwrap()).unwrap();
         for tolerance in [1e-6, 1e-10, 1e-13] {
             let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Quadrature, tolerance).unwrap();
-            let Ok(found) = evaluator.slope(x) else { continue };
+            let Ok(found) = evaluator.equivalent(x) else { continue };
             let own = found.estimate;
             let off = (own.value - truth).abs();
             assert!(off <= own.error + f64::EPSILON * truth, "b {b}, w {w}, x {x}, {tolerance}: {own:?} is off by {off:e}");

@@ -35,7 +35,7 @@ fn what_is_finite_is_answered_within_its_bound() {
         let contact = Contact::new(evaluator, 1.0, None, 1e-12);
         let at: f64 = at.parse().unwrap();
         let found = match quantity {
-            "g" => contact.evaluator().slope(at).map_err(|error| error.to_string()),
+            "g" => contact.evaluator().equivalent(at).map_err(|error| error.to_string()),
             "F" => contact.force(at).map_err(|error| error.to_string()),
             _ => contact.pressure(at, radius.parse().unwrap()).map(|own| own.unwrap()).map_err(|error| error.to_string()),
         };
@@ -71,7 +71,7 @@ fn removable_places_with_symbols_fail_no_check() {
 fn kinks_without_end_are_located_as_far_as_they_are_needed() {
     let slope = |text: &str, x: f64| {
         let solution = derive(&profile(text, "")).unwrap();
-        Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap().slope(x).map(|own| own.estimate)
+        Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap().equivalent(x).map(|own| own.estimate)
     };
     // 1/2 − cos 2r changes its sign at π/6, 5π/6, 7π/6, …
     let pieces = "piecewise(1/2-cos(2*r)-2*(1/2-cos(2*r)),r<pi/6,1/2-cos(2*r),r<5*pi/6,-(1/2-cos(2*r)),r<7*pi/6,1/2-cos(2*r))";
@@ -91,7 +91,7 @@ fn places_that_are_no_finite_radii_are_refused() {
     fn of_a_contact<P: Quantities>(contact: &Contact<'_, P>, at: f64) -> Vec<(&'static str, bool)> {
         let own = contact.evaluator();
         vec![
-            ("g", own.slope(at).is_err()),
+            ("g", own.equivalent(at).is_err()),
             ("F/2E", own.force(at).is_err()),
             ("G", own.integral(at).is_err()),
             ("f", own.height(at).is_err()),
@@ -121,7 +121,7 @@ fn places_that_are_no_finite_radii_are_refused() {
     fn of_quadrature(own: &NumericProfile, at: f64) -> Vec<(&'static str, bool)> {
         let tolerance = 1e-12;
         vec![
-            ("slope", own.slope(at, tolerance).is_err()),
+            ("slope", own.equivalent(at, tolerance).is_err()),
             ("force", own.force(at, tolerance).is_err()),
             ("integral", own.integral(at, tolerance).is_err()),
             ("height", own.height(at, tolerance).is_err()),
@@ -139,7 +139,7 @@ fn places_that_are_no_finite_radii_are_refused() {
     let mut take = |profile: &str, at: f64, found: Vec<(&'static str, bool)>| {
         faults.extend(found.into_iter().filter(|(_, refused)| !refused).map(|(quantity, _)| format!("{profile}: {quantity} at {at}")));
     };
-    let closure = || Closure::with_slope(|r| r * r, |r| 2.0 * r).profile().unwrap();
+    let closure = || Closure::with_f_prime(|r| r * r, |r| 2.0 * r).profile().unwrap();
     let radii: Vec<f64> = (0..40).map(|i| 0.05 * f64::from(i)).collect();
     let heights: Vec<f64> = radii.iter().map(|r| r * r).collect();
     let table = || Profile::from_points(&radii, &heights, Interpolation::MonotoneCubic).unwrap();
@@ -151,7 +151,7 @@ fn places_that_are_no_finite_radii_are_refused() {
                 take(text, at, of_a_contact(&Contact::new(evaluator, 1.0, None, 1e-12), at));
             }
             let intervals = solution.chains.iter().flat_map(|chain| &chain.intervals);
-            let pieces: Vec<_> = intervals.map(|own| (own.segment.clone(), own.slope.clone())).collect();
+            let pieces: Vec<_> = intervals.map(|own| (own.segment.clone(), own.f_prime.clone())).collect();
             take(text, at, of_quadrature(&NumericProfile::new(&pieces, &Bindings::default()).unwrap(), at));
         }
         take("a closure", at, of_a_contact(&Contact::new(closure(), 1.0, None, 1e-12), at));
@@ -238,7 +238,7 @@ fn lengths_next_to_underflow_keep_their_bounds() {
         let parameters: Bindings = [("R", exact(&format!("{scale:e}")))].into_iter().collect();
         let solution = derive(&Profile::new(&parse::profile(text).unwrap().substitute(&parameters)).unwrap()).unwrap();
         let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Quadrature, 1e-10).unwrap();
-        evaluator.slope(x * scale).map(|found| found.estimate)
+        evaluator.equivalent(x * scale).map(|found| found.estimate)
     };
     let mut answered = 0;
     for text in ["R-sqrt(R^2-r^2)", "R*ln(cosh(r/R))", "r^2/(2*R)", "R*(1-cos(r/R))", "R*(r/R)^2.5", "R*sqrt(r/R)", "R*(1-exp(-r/R))"] {

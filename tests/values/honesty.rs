@@ -24,7 +24,7 @@ fn read(text: &str, quantity: &str, at: f64) -> Result<Reading, ContactError> {
     let solution = solution(text);
     let contact = contact(&solution);
     match quantity {
-        "g" => Ok(contact.evaluator().slope(at)?),
+        "g" => Ok(contact.evaluator().equivalent(at)?),
         "a" => contact.contact_radius(at),
         other => panic!("{other}"),
     }
@@ -75,7 +75,8 @@ fn special_functions_inside_quotients_and_logarithms_are_proven() {
 fn narrow_steps_beside_steep_powers_are_not_taken_for_noise() {
     for (c, x) in [("0.0222", 1.3369140625), ("0.03", 1.5), ("0.0125", 1.0), ("0.05", 2.75)] {
         let solution = solution(&format!("13037/10000*r^6*erf(r/{c})"));
-        let at = |method, tolerance| Evaluator::new(&solution, &Bindings::default(), method, tolerance).unwrap().slope(x).unwrap().estimate;
+        let at =
+            |method, tolerance| Evaluator::new(&solution, &Bindings::default(), method, tolerance).unwrap().equivalent(x).unwrap().estimate;
         let exact = at(Method::Exact, 1e-15);
         for tolerance in [1e-6, 1e-9, 1e-11, 1e-12, 2.2e-13] {
             let own = at(Method::Quadrature, tolerance);
@@ -116,7 +117,7 @@ fn what_hides_under_larger_terms_stays_within_the_promise() {
             let reading = match quantity {
                 "G" => evaluator.integral(x),
                 "F" => evaluator.force(x),
-                _ => evaluator.slope(x),
+                _ => evaluator.equivalent(x),
             };
             reading.unwrap().estimate
         };
@@ -134,7 +135,7 @@ fn narrow_cores_far_inside_the_contact_are_seen() {
         for (x, tolerance) in [(1e3, 1e-4), (1e4, 1e-13), (1e5, 1e-6), (1e6, 1e-10), (1e9, 1e-13), (1e9, 1e-6), (1e12, 1e-10)] {
             let by = |method, tolerance| Evaluator::new(&solution, &Bindings::default(), method, tolerance).unwrap();
             for quantity in ["g", "F"] {
-                let read = |own: &Evaluator<'_>| if quantity == "g" { own.slope(x) } else { own.force(x) };
+                let read = |own: &Evaluator<'_>| if quantity == "g" { own.equivalent(x) } else { own.force(x) };
                 let Ok(truth) = read(&by(Method::Exact, 1e-15)) else { continue };
                 // A refusal is honest.
                 let Ok(own) = read(&by(Method::Quadrature, tolerance)) else { continue };
@@ -162,7 +163,7 @@ fn the_rounding_of_a_sum_is_not_judged_from_places_where_it_is_small() {
             // The references are right to some units of their terms.
             let doubt = 1e-15 * half_turn;
             for own in &evaluators {
-                let Ok(found) = own.slope(x) else { continue };
+                let Ok(found) = own.equivalent(x) else { continue };
                 let off = (found.estimate.value - truth).abs();
                 assert!(off <= found.estimate.error + doubt, "{shift}: g({x:?}): {found:?}, is {truth:e}, off {off:e}");
             }
@@ -221,10 +222,10 @@ fn places_next_to_a_kink_are_known_by_their_distance() {
         for step in 0..200 {
             let x = far * (1.0 - 0.001 * f64::from(step));
             let by = |method| Evaluator::new(&solution, &Bindings::default(), method, 1e-12).unwrap();
-            let own = by(Method::Quadrature).slope(x).unwrap().estimate;
+            let own = by(Method::Quadrature).equivalent(x).unwrap().estimate;
             // Where there is no closed form, bisection finds its places by other means.
-            let bisected = || by(Method::Quadrature).typed().unwrap().slope_by(x, 1e-15, Rule::Kronrod31).unwrap();
-            let truth = by(Method::Exact).slope(x).map_or_else(|_| bisected(), |closed| closed.estimate);
+            let bisected = || by(Method::Quadrature).typed().unwrap().equivalent_by(x, 1e-15, Rule::Kronrod31).unwrap();
+            let truth = by(Method::Exact).equivalent(x).map_or_else(|_| bisected(), |closed| closed.estimate);
             let off = (own.value - truth.value).abs();
             // A twentieth of the tolerance may be what is kept of rounding.
             assert!(off <= own.error + truth.error && own.error <= 6e-14 * own.value.abs(), "{profile} at {x}: {own:?}, is {truth:?}");
@@ -300,7 +301,7 @@ fn unreachable_pieces_are_dropped() {
 #[test]
 fn quadrature_knows_the_rounding_of_its_breakpoints() {
     let own = solution("max(r/0.7432,0.366200000000000025490720645393594168126583099365234375)");
-    let found = Evaluator::new(&own, &Bindings::default(), Method::Quadrature, 1e-13).unwrap().slope(0.275390625).unwrap().estimate;
+    let found = Evaluator::new(&own, &Bindings::default(), Method::Quadrature, 1e-13).unwrap().equivalent(0.275390625).unwrap().estimate;
     // mpmath, 40 digits: x/0.7432 acos(b/x) with b = 0.7432·0.3662000000000000254…
     let error = Decimal::read("0.05681505090802348849778533084157651257375").distance(found.value).abs();
     assert!(error <= found.error && found.error < 1e-13, "{found:?}");
@@ -385,7 +386,7 @@ fn a_quadrature_that_misses_decades_is_refused() {
         for decade in (15..150).step_by(9) {
             let x = 10f64.powi(decade);
             let expected = f64::from(n) * (2.0 * x).ln() + 2f64.ln();
-            match evaluator.slope(x) {
+            match evaluator.equivalent(x) {
                 Ok(found) => {
                     let Estimate { value, error, .. } = found.estimate;
                     assert!(

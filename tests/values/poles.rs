@@ -21,12 +21,13 @@ fn solution(text: &str) -> Solution {
 fn end_beyond(text: &str, at: f64) -> Option<f64> {
     let solution = solution(text);
     let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
-    let ends = [evaluator.slope(at).map(|_| ()), evaluator.force(at).map(|_| ()), evaluator.pressure(0.3 * at, at).map(|_| ())].map(
-        |own| match own {
-            Err(TransformError::OutOfDomain { limit, .. }) => limit.rsplit(' ').next()?.parse::<f64>().ok(),
-            _ => None,
-        },
-    );
+    let ends =
+        [evaluator.equivalent(at).map(|_| ()), evaluator.force(at).map(|_| ()), evaluator.pressure(0.3 * at, at).map(|_| ())].map(|own| {
+            match own {
+                Err(TransformError::OutOfDomain { limit, .. }) => limit.rsplit(' ').next()?.parse::<f64>().ok(),
+                _ => None,
+            }
+        });
     assert!(ends.iter().all(|own| *own == ends[0]), "{text} at {at}: {ends:?}");
     ends[0]
 }
@@ -88,7 +89,7 @@ fn numbers_before_the_end_are_right_and_those_beyond_are_refused_with_its_place(
         let (end, at) = (end.parse::<f64>().unwrap(), at.parse::<f64>().unwrap());
         let solution = solution(text);
         let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
-        let found = evaluator.slope(at).unwrap_or_else(|error| panic!("{text} at {at:?}: {error}")).estimate;
+        let found = evaluator.equivalent(at).unwrap_or_else(|error| panic!("{text} at {at:?}: {error}")).estimate;
         let error = Decimal::read(truth).distance(found.value).abs();
         assert!(error <= found.error, "{text} at {at:?}: {found:?}, true error {error:e}");
         // Next to a pole the rounding of x alone counts: ε end/(end − x).
@@ -136,7 +137,7 @@ fn every_function_of_a_falling_denominator_ends_at_its_zero() {
         }
         let solution = solution(&text);
         let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
-        let before = evaluator.slope(0.9 * end).map(|own| own.estimate);
+        let before = evaluator.equivalent(0.9 * end).map(|own| own.estimate);
         assert!(before.is_ok(), "{text} at {:?}: {before:?}", 0.9 * end);
     }
 }
@@ -258,7 +259,7 @@ fn a_kink_beyond_a_pole_has_the_right_side() {
         ("piecewise(0, r<2.5, abs(4-4/(r-1))-4/3)", 2.8, "1.8279266752475235881903959692061"),
     ] {
         let solution = solution(text);
-        let found = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap().slope(at).unwrap().estimate;
+        let found = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap().equivalent(at).unwrap().estimate;
         let error = Decimal::read(truth).distance(found.value).abs();
         assert!(error <= found.error, "{text} at {at:?}: {found:?}, true error {error:e}");
     }

@@ -54,7 +54,7 @@ fn dense_slices_are_never_wrong() {
         let a = first + (end - first) * stream.unit();
         for quantity in [Superposed::Equivalent, Superposed::Force, Superposed::Pressure] {
             let fill = |points: &[f64], out: &mut [f64]| match quantity {
-                Superposed::Equivalent => evaluator.slopes(points, Slice::values(out)),
+                Superposed::Equivalent => evaluator.equivalents(points, Slice::values(out)),
                 Superposed::Force => evaluator.forces(points, Slice::values(out)),
                 _ => evaluator.pressures(points, a, Slice::values(out)),
             };

@@ -69,7 +69,7 @@ fn cancelling_profiles_keep_their_digits() {
         let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();
         let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
         let reading = match (quantity, place.as_slice()) {
-            ("g", [x]) => evaluator.slope(*x),
+            ("g", [x]) => evaluator.equivalent(*x),
             ("F", [a]) => evaluator.force(*a),
             ("G", [a]) => evaluator.integral(*a),
             ("h", [r]) => evaluator.height(*r),

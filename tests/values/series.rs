@@ -64,8 +64,8 @@ fn the_error_is_never_below_the_true_one() {
             for _ in 0..2 {
                 let a = stream.short(0.05, *end);
                 let what = |name: &str| format!("{name}({a}) of {text} to order {order}");
-                let Ok(g) = series.slope(a) else { continue };
-                hold(&what("g"), g.estimate, plain.slope(a).unwrap().estimate);
+                let Ok(g) = series.equivalent(a) else { continue };
+                hold(&what("g"), g.estimate, plain.equivalent(a).unwrap().estimate);
                 hold(&what("F"), series.force(a).unwrap().estimate, plain.force(a).unwrap().estimate);
                 hold(&what("G"), series.integral(a).unwrap().estimate, plain.integral(a).unwrap().estimate);
                 hold(&what("f"), series.height(a).unwrap().estimate, plain.height(a).unwrap().estimate);
@@ -81,7 +81,7 @@ fn the_error_is_never_below_the_true_one() {
 fn the_error_is_small_where_the_series_is() {
     for (text, values, end) in CASES {
         let series = SeriesEvaluator::new(&profile(text, values), 25).unwrap();
-        let g = series.slope(0.1 * end).unwrap().estimate;
+        let g = series.equivalent(0.1 * end).unwrap().estimate;
         assert!(g.error <= 1e-9 * g.value.abs(), "{text}: {g:?}");
     }
 }
@@ -93,7 +93,7 @@ fn a_sphere_to_rising_orders() {
     let mut last = f64::INFINITY;
     for order in [4, 10, 20, 40, 60] {
         let series = SeriesEvaluator::new(&profile("R-sqrt(R^2-r^2)", &[("R", 2.0)]), order).unwrap();
-        let g = series.slope(1.0).unwrap().estimate;
+        let g = series.equivalent(1.0).unwrap().estimate;
         let off = (g.value - exact).abs();
         assert!(off <= g.error && g.error < last, "order {order}: {g:?}");
         assert!(g.error < 40.0 * off + 1e-15, "order {order}: {g:?}, off by {off:e}");
@@ -104,14 +104,14 @@ fn a_sphere_to_rising_orders() {
 
 #[test]
 fn what_has_no_series() {
-    let failure = |text: &str, at: f64| SeriesEvaluator::new(&profile(text, &[]), 10).unwrap().slope(at).unwrap_err();
+    let failure = |text: &str, at: f64| SeriesEvaluator::new(&profile(text, &[]), 10).unwrap().equivalent(at).unwrap_err();
     for text in ["r^2*ln(r)", "abs(r-1)*0+r*exp(-r^0.5)", "r^(2^(1/2))"] {
         let error = failure(text, 0.5);
         assert!(matches!(error, SeriesFailure::NotAnalytic(SeriesError::NotAnalytic { .. })), "{text}: {error}");
     }
     let worn = failure("piecewise(r^2, r<1, 2*r-1)", 1.5);
     assert!(matches!(worn, SeriesFailure::BeyondFirstPiece { .. }), "{worn}");
-    let inside = SeriesEvaluator::new(&profile("piecewise(r^2, r<1, 2*r-1)", &[]), 10).unwrap().slope(0.5).unwrap();
+    let inside = SeriesEvaluator::new(&profile("piecewise(r^2, r<1, 2*r-1)", &[]), 10).unwrap().equivalent(0.5).unwrap();
     assert_eq!(inside.estimate.value, 0.5);
     // Beyond the poles at ±i nothing is promised.
     let far = failure("atan(r)", 2.0);

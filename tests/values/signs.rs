@@ -57,7 +57,7 @@ fn closed_forms_hold_for_either_sign_of_an_offset() {
             let a = own.limit().min(2.0) * stream.uniform(0.1, 0.9);
             let r = a * stream.uniform(0.1, 0.9);
             type Read<'a> = &'a dyn Fn(&Evaluator<'_>) -> Result<Option<Reading>, TransformError>;
-            let reads: [Read<'_>; 3] = [&|own| own.slope(a).map(Some), &|own| own.force(a).map(Some), &|own| own.pressure(r, a)];
+            let reads: [Read<'_>; 3] = [&|own| own.equivalent(a).map(Some), &|own| own.force(a).map(Some), &|own| own.pressure(r, a)];
             for read in reads {
                 let (Ok(Some(one)), Ok(Some(two))) = (read(&own), read(&other)) else { continue };
                 compared += 1;

@@ -101,7 +101,7 @@ fn places_and_tolerances_are_validated() {
     let refused = |found: Result<(), TransformError>| assert!(matches!(found, Err(TransformError::Statement { .. })), "{found:?}");
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, -f64::MIN_POSITIVE] {
         refused(evaluator.height(bad).map(|_| ()));
-        refused(evaluator.slope(bad).map(|_| ()));
+        refused(evaluator.equivalent(bad).map(|_| ()));
         refused(evaluator.force(bad).map(|_| ()));
         refused(evaluator.integral(bad).map(|_| ()));
         refused(evaluator.pressure(0.5, bad).map(|_| ()));

@@ -65,8 +65,8 @@ fn slices_have_the_numbers_of_the_scalar_way() {
                 all += 1;
             }
         };
-        evaluator.slopes(&x, Slice::bounded(&mut values, &mut errors)).unwrap();
-        check(&values, &errors, &|x| evaluator.slope(x).unwrap());
+        evaluator.equivalents(&x, Slice::bounded(&mut values, &mut errors)).unwrap();
+        check(&values, &errors, &|x| evaluator.equivalent(x).unwrap());
         evaluator.forces(&x, Slice::bounded(&mut values, &mut errors)).unwrap();
         check(&values, &errors, &|a| evaluator.force(a).unwrap());
         evaluator.heights(&x, Slice::bounded(&mut values, &mut errors)).unwrap();
@@ -94,7 +94,7 @@ fn the_number_of_threads_changes_nothing() {
     let run = |threads: usize| {
         let (mut values, mut errors) = (vec![0.0; x.len()], vec![0.0; x.len()]);
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| evaluator.slopes(&x, Slice::bounded(&mut values, &mut errors))).unwrap();
+        pool.install(|| evaluator.equivalents(&x, Slice::bounded(&mut values, &mut errors))).unwrap();
         (values, errors)
     };
     assert!(run(1) == run(3));
@@ -103,7 +103,7 @@ fn the_number_of_threads_changes_nothing() {
     (far[7 * count / 10], far[9 * count / 10]) = (f64::INFINITY, f64::NAN);
     let mut values = vec![0.0; far.len()];
     for _ in 0..4 {
-        let error = evaluator.slopes(&far, Slice::values(&mut values)).unwrap_err();
+        let error = evaluator.equivalents(&far, Slice::values(&mut values)).unwrap_err();
         assert!(!format!("{error}").contains("NaN"), "{error}");
     }
 }
@@ -135,11 +135,11 @@ fn what_cannot_be_answered_is_an_error() {
     let sphere = solution("2-sqrt(4-r^2)");
     let evaluator = evaluator(&sphere, 1e-13);
     let mut values = [0.0; 3];
-    let short = evaluator.slopes(&[1.0, 1.5], Slice::values(&mut values));
+    let short = evaluator.equivalents(&[1.0, 1.5], Slice::values(&mut values));
     assert!(matches!(short, Err(TransformError::Buffer { points: 2, buffer: 3 })));
-    let outside = evaluator.slopes(&[1.0, 2.5, 1.5], Slice::values(&mut values));
+    let outside = evaluator.equivalents(&[1.0, 2.5, 1.5], Slice::values(&mut values));
     assert!(matches!(outside, Err(TransformError::OutOfDomain { at: 2.5, .. })), "{outside:?}");
-    evaluator.slopes(&[], Slice::values(&mut [])).unwrap();
+    evaluator.equivalents(&[], Slice::values(&mut [])).unwrap();
     let cone = solution("r");
     let (mut values, mut errors, mut origins) = ([0.0; 2], [0.0; 2], [Origin::CLOSED; 2]);
     let out = Slice { origins: Some(&mut origins), ..Slice::bounded(&mut values, &mut errors) };
@@ -162,7 +162,7 @@ fn a_loose_tolerance_is_not_dearer_than_a_sharp_one() {
         let mut before = 0;
         for tolerance in [1e-3, 1e-6, 1e-9, 1e-11, 1e-12, 1e-13] {
             let evaluator = evaluator(&solution, tolerance);
-            let readings = [0.3, 0.9, 1.7].map(|x| [evaluator.slope(x).unwrap(), evaluator.force(x).unwrap()]);
+            let readings = [0.3, 0.9, 1.7].map(|x| [evaluator.equivalent(x).unwrap(), evaluator.force(x).unwrap()]);
             let own: u64 = readings.as_flattened().iter().map(|reading| reading.estimate.evaluations).sum();
             assert!(own >= before, "{text}: {own} evaluations at {tolerance:e}, {before} at a looser one");
             before = own;
@@ -211,7 +211,7 @@ fn dense_slices_have_every_digit() {
                 assert!(share < 1e-15, "{text} {quantity:?} at {inputs:?}: {share:e}");
             }
         };
-        evaluator.slopes(&points, Slice::values(&mut values)).unwrap();
+        evaluator.equivalents(&points, Slice::values(&mut values)).unwrap();
         check(Superposed::Equivalent, &values, None);
         evaluator.forces(&points, Slice::values(&mut values)).unwrap();
         check(Superposed::Force, &values, None);
@@ -235,14 +235,14 @@ fn a_dense_slice_does_not_remember_those_before_it() {
     let dense: Vec<f64> = (0..4000).map(|_| stream.uniform(0.9, 1.3)).collect();
     let mixed: Vec<f64> = (0..4000).map(|i| if i < 500 { stream.uniform(1.0, 1.03) } else { stream.log_uniform(1e-300, 1e300) }).collect();
     let (mut values, mut others) = (vec![0.0; 4000], vec![0.0; 4000]);
-    used.slopes(&dense, Slice::values(&mut values)).unwrap();
-    used.slopes(&mixed, Slice::values(&mut values)).unwrap();
-    fresh.slopes(&mixed, Slice::values(&mut others)).unwrap();
+    used.equivalents(&dense, Slice::values(&mut values)).unwrap();
+    used.equivalents(&mixed, Slice::values(&mut values)).unwrap();
+    fresh.equivalents(&mixed, Slice::values(&mut others)).unwrap();
     assert!(values.iter().zip(&others).all(|(one, other)| one.to_bits() == other.to_bits()));
     // What is sparse is the form in doubles, bit for bit that of a slice of one point.
     for place in (500..4000).step_by(50) {
         let mut alone = [0.0];
-        fresh.slopes(&mixed[place..place + 1], Slice::values(&mut alone)).unwrap();
+        fresh.equivalents(&mixed[place..place + 1], Slice::values(&mut alone)).unwrap();
         assert_eq!(alone[0], others[place], "{}", mixed[place]);
     }
 }
@@ -256,10 +256,10 @@ fn a_stop_ends_slices_and_leaves_nothing_behind() {
         let (stopped, fresh) = (evaluator(&solution, 1e-12), evaluator(&solution, 1e-12));
         let x: Vec<f64> = (1..=40_000).map(|i| 2e-5 * f64::from(i)).collect();
         let mut values = vec![0.0; x.len()];
-        let ended = work::stoppable(&STOP, || stopped.slopes(&x, Slice::values(&mut values)));
+        let ended = work::stoppable(&STOP, || stopped.equivalents(&x, Slice::values(&mut values)));
         assert!(ended.is_err_and(|error| error.to_string().contains("budget")), "{text}");
         assert_eq!(work::stoppable(&STOP, || stopped.limit()), fresh.limit(), "{text}");
-        let last = |own: &Evaluator<'_>| own.slope(0.8).map(|own| own.estimate);
+        let last = |own: &Evaluator<'_>| own.equivalent(0.8).map(|own| own.estimate);
         assert_eq!(last(&stopped), last(&fresh), "{text}");
     }
 }

@@ -72,7 +72,7 @@ fn kinks_are_found_while_the_angle_is_a_symbol() {
         let solution = derive(&profile).unwrap();
         assert!(solution.is_closed(), "{text}");
         let evaluator = Evaluator::new(&solution, &set(), Method::Exact, 1e-13).unwrap();
-        for (what, found, expected) in [("g", evaluator.slope(*x), *g), ("F", evaluator.force(*x), force / 2.0)] {
+        for (what, found, expected) in [("g", evaluator.equivalent(*x), *g), ("F", evaluator.force(*x), force / 2.0)] {
             let found = found.unwrap_or_else(|error| panic!("{what} of {text} at {x}: {error}")).estimate;
             let error = (found.value - expected).abs();
             assert!(error <= found.error + 1e-15 * expected.abs(), "{what} of {text} at {x}: {} for {expected}", found.value);

@@ -29,7 +29,7 @@ fn what_is_kept_of_rounding_covers_every_place() {
             let [segment] = segments(&own) else { panic!("{slope:?}") };
             for i in 0..400 {
                 let x = 0.01 * 1.02f64.powi(i);
-                for weight in [Weight::Slope, Weight::Force, Weight::Integral] {
+                for weight in [Weight::Equivalent, Weight::Force, Weight::Integral] {
                     let Some(known) = (x > segment.lower.value).then(|| segment.sufficient(x, weight)).flatten() else { continue };
                     if known.noise < f64::INFINITY {
                         let (found, _) = segment.noise_at(known.known, x, weight).unwrap();

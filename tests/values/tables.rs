@@ -75,7 +75,7 @@ fn points_of_a_cubic_give_its_exact_transform() {
     assert_eq!(own.extrapolated(), None);
     let kappa = 0.75 * std::f64::consts::PI;
     for x in [1e-3, 0.1, 0.73, 1.999, 2.0] {
-        close(own.slope(x).unwrap().estimate, (4.0 + kappa * x) * x * x / 8.0, 1e-11, "g");
+        close(own.equivalent(x).unwrap().estimate, (4.0 + kappa * x) * x * x / 8.0, 1e-11, "g");
         let force = (2.0 * 4.0 / 3.0 + kappa * 0.75 * x) * x * x * x / 8.0;
         close(own.force(x).unwrap().estimate, force, 1e-11, "F");
         close(own.height(x).unwrap().estimate, x * x * (2.0 + x) / 8.0, 1e-9, "f");
@@ -97,7 +97,7 @@ fn force_pressure_depth_and_energy_obey_their_laws() {
     let own = made(cases(12, 100), 4, None);
     let last = own.limit();
     for a in [0.77 * last, 0.3 * last].into_iter().take(cases(1, 2)) {
-        let (g, force, whole) = (own.slope(a).unwrap().estimate, own.force(a).unwrap().estimate, own.integral(a).unwrap().estimate);
+        let (g, force, whole) = (own.equivalent(a).unwrap().estimate, own.force(a).unwrap().estimate, own.integral(a).unwrap().estimate);
         close(whole, a * g.value - force.value, 1e-13, "G = a g − F");
         // F/(2E*) = ∫ p π/E* r dr with r = a sin t, piece by piece.
         let mut places: Vec<f64> = own.breakpoints_below(a).into_iter().step_by(5).map(|b| (b / a).asin()).collect();
@@ -147,11 +147,11 @@ fn refinement_converges() {
     let solution = sneddon::transform::derive(&truth).unwrap();
     let bindings = sneddon::expr::Bindings::default();
     let method = sneddon::transform::Method::Auto;
-    let truth = sneddon::transform::Evaluator::new(&solution, &bindings, method, 1e-13).unwrap().slope(2.4).unwrap().estimate.value;
+    let truth = sneddon::transform::Evaluator::new(&solution, &bindings, method, 1e-13).unwrap().equivalent(2.4).unwrap().estimate.value;
     for how in [Interpolation::MonotoneCubic, Interpolation::EvenSmoothingSpline(Penalty::Weight(0.0))] {
         let error = |count| {
             let (r, z) = sampled(count, 3.0, |r| 1.0 - r.cos());
-            (Profile::from_points(&r, &z, how).unwrap().slope(2.4).unwrap().estimate.value - truth).abs()
+            (Profile::from_points(&r, &z, how).unwrap().equivalent(2.4).unwrap().estimate.value - truth).abs()
         };
         let errors: Vec<f64> = [20, 40, 80, 160, 320].map(error).to_vec();
         if std::env::var_os("SHOW").is_some() {
@@ -175,7 +175,7 @@ fn smoothing_takes_the_noise_away() {
         1e-3 * sum
     };
     let (r, z) = sampled(1000, 2.0, |r| r * r / 4.0 + noise());
-    let g = |how| Profile::from_points(&r, &z, how).unwrap().slope(1.5).unwrap().estimate.value;
+    let g = |how| Profile::from_points(&r, &z, how).unwrap().equivalent(1.5).unwrap().estimate.value;
     let truth = 1.5 * 1.5 / 2.0;
     let off = |how| (g(how) - truth).abs();
     let kinds = [
@@ -223,9 +223,9 @@ fn what_is_no_table_is_refused_with_its_place() {
     assert!(matches!(TableProfile::from_cubics(gap).err(), Some(TransformError::Table(TableError::Piece { index: 1 }))));
     let own = Profile::from_points(&[0.5, 1.0, 1.5], &[0.25, 1.0, 2.25], cubic).unwrap();
     assert_eq!(own.extrapolated(), Some(0.5));
-    close(own.slope(0.25).unwrap().estimate, 0.125, 1e-12, "the parabola that leads to the axis");
-    assert!(matches!(own.slope(1.5000001), Err(TransformError::OutOfDomain { symbol: "x", .. })));
-    assert!(own.slope(1.5).is_ok() && own.slope(f64::NAN).is_err() && own.slope(-1.0).is_err());
+    close(own.equivalent(0.25).unwrap().estimate, 0.125, 1e-12, "the parabola that leads to the axis");
+    assert!(matches!(own.equivalent(1.5000001), Err(TransformError::OutOfDomain { symbol: "x", .. })));
+    assert!(own.equivalent(1.5).is_ok() && own.equivalent(f64::NAN).is_err() && own.equivalent(-1.0).is_err());
 }
 
 #[test]
@@ -236,12 +236,12 @@ fn cubics_are_reproduced_and_steps_stay_monotone() {
         let truth = |r: f64| r * (4.0 + 3.0 * r);
         for part in [0.0, 0.3, 1.0] {
             let delta = part * (piece.upper - piece.lower);
-            assert!((piece.slope(delta) - truth(piece.lower + delta)).abs() < 1e-12, "{piece:?}");
+            assert!((piece.f_prime(delta) - truth(piece.lower + delta)).abs() < 1e-12, "{piece:?}");
         }
     }
     let z = [0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 3.0, 3.5, 3.5];
     for piece in Profile::from_points(&r, &z, Interpolation::MonotoneCubic).unwrap().pieces() {
-        assert!((0..=20).all(|i| piece.slope((piece.upper - piece.lower) * f64::from(i) / 20.0) >= -1e-14), "{piece:?}");
+        assert!((0..=20).all(|i| piece.f_prime((piece.upper - piece.lower) * f64::from(i) / 20.0) >= -1e-14), "{piece:?}");
     }
 }
 

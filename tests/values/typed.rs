@@ -30,7 +30,7 @@ fn exact(text: &str) -> Expr {
 fn reading(contact: &Contact<'_>, [quantity, radius, at, _]: Row<'_>) -> Reading {
     let at = at.parse().unwrap();
     match quantity {
-        "g" => contact.evaluator().slope(at).unwrap(),
+        "g" => contact.evaluator().equivalent(at).unwrap(),
         "F" => contact.force(at).unwrap(),
         "p" => contact.pressure(at, radius.parse().unwrap()).unwrap().unwrap(),
         other => panic!("{other} is no quantity of this table"),

@@ -72,7 +72,7 @@ fn places<'a>(truth: &'a Value, quantity: &str) -> Vec<(f64, &'a str)> {
 fn evaluations_per_profile() {
     let mut off = Vec::new();
     each(|id, typed, truth| {
-        let slope = |x: f64| typed.slope(x, TOLERANCE).unwrap().evaluations;
+        let slope = |x: f64| typed.equivalent(x, TOLERANCE).unwrap().evaluations;
         let (g, p) = (places(truth, "g"), places(truth, "p"));
         let a: f64 = truth["a"].as_str().unwrap().parse().unwrap();
         let pressure = p.get(p.len() / 2).map_or(0, |(r, _)| typed.pressure(*r, a, TOLERANCE).unwrap().map_or(0, |own| own.evaluations));
@@ -113,7 +113,8 @@ fn rules_that_are_known_to_suffice() {
         let closed = Evaluator::new(&solution, &Bindings::default(), Method::Exact, 1e-15).unwrap();
         for _ in 0..200 {
             let x = stream.log_uniform(1e-7, 1.0) * end;
-            for (found, truth) in [(own.slope(x), closed.slope(x)), (own.force(x), closed.force(x)), (own.integral(x), closed.integral(x))]
+            for (found, truth) in
+                [(own.equivalent(x), closed.equivalent(x)), (own.force(x), closed.force(x)), (own.integral(x), closed.integral(x))]
             {
                 let (found, truth) = (found.unwrap().estimate, truth.unwrap().estimate);
                 let off = (found.value - truth.value).abs();

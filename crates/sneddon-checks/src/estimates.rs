@@ -55,7 +55,7 @@ fn one(sample: &Sample, exact: &Evaluator<'_>, own: &Evaluator<'_>, tolerance: f
     let quantity = *stream.pick(&["g", "g", "F", "p", "u", "G", "f"]);
     let read = |from: &Evaluator<'_>| -> Result<Option<Reading>, TransformError> {
         match quantity {
-            "g" => from.slope(a).map(Some),
+            "g" => from.equivalent(a).map(Some),
             "F" => from.force(a).map(Some),
             "G" => from.integral(a).map(Some),
             "f" => from.height(a).map(Some),

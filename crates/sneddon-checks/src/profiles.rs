@@ -307,7 +307,7 @@ pub fn compare(sample: &Sample, stream: &mut Stream) -> Outcome {
 fn pair(name: &str, own: &Evaluator<'_>, plain: &Evaluator<'_>, r: f64, a: f64) -> Option<(Reading, Reading)> {
     let read = |one: &Evaluator<'_>| -> Result<Option<Reading>, TransformError> {
         match name {
-            "g" => one.slope(a).map(Some),
+            "g" => one.equivalent(a).map(Some),
             "F" => one.force(a).map(Some),
             _ => one.pressure(r, a),
         }

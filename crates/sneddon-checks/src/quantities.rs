@@ -6,7 +6,7 @@ use sneddon::transform::Quantities;
 /// g, F, G, u or p, by its symbol; contact radius a, place r.
 pub fn quantity(own: &impl Quantities, name: &str, r: f64, a: f64) -> Estimate {
     let found = match name {
-        "g" => own.slope(a),
+        "g" => own.equivalent(a),
         "F" => own.force(a),
         "G" => own.integral(a),
         "u" => own.displacement(r, a),

@@ -34,15 +34,15 @@ fn main() {
         let mut values = vec![0.0; POINTS];
         let whole = shortest(40, || {
             let curve = Curve::new(profile, to, 1e-12).unwrap();
-            curve.slope_slice(black_box(&places), &mut values).unwrap();
+            curve.equivalent_slice(black_box(&places), &mut values).unwrap();
         });
         let build = shortest(200, || {
             black_box(Curve::new(profile, to, 1e-12).unwrap());
         });
         let curve = Curve::new(profile, to, 1e-12).unwrap();
-        let alone = shortest(40, || curve.slope_slice(black_box(&places), &mut values).unwrap());
+        let alone = shortest(40, || curve.equivalent_slice(black_box(&places), &mut values).unwrap());
         let pick: Vec<usize> = (0..200).map(|i| i * POINTS / 200 + 250).collect();
-        let error = |i: &usize| (values[*i] / evaluator.slope(places[*i]).unwrap().estimate.value - 1.0).abs();
+        let error = |i: &usize| (values[*i] / evaluator.equivalent(places[*i]).unwrap().estimate.value - 1.0).abs();
         let worst = pick.iter().map(error).fold(0.0, f64::max);
         println!("curve@{name},ours,with building,{:.3},{worst:.1e},{}", whole / POINTS as f64, curve.evaluations());
         println!("curve@{name},ours,evaluation,{:.3},{worst:.1e},0", alone / POINTS as f64);

@@ -56,7 +56,7 @@ fn own_check(bencher: Bencher<'_, '_>, name: &str) {
 fn number(bencher: Bencher<'_, '_>, (text, at): (&str, f64)) {
     let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();
     let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Exact, 1e-13).unwrap();
-    bencher.bench_local(|| (evaluator.height(at).unwrap(), evaluator.slope(at)));
+    bencher.bench_local(|| (evaluator.height(at).unwrap(), evaluator.equivalent(at)));
 }
 
 fn profile(name: &str) -> &'static str {

@@ -58,7 +58,7 @@ fn formulas(text: &str) -> Result<Solution, TransformError> {
 fn number(solution: &Solution) -> Result<(), TransformError> {
     let set: Bindings = solution.profile.parameters().iter().map(|own| (own.name(), sneddon::expr::Expr::ratio(1, 2))).collect();
     let evaluator = Evaluator::new(solution, &set, Method::Auto, 1e-13)?;
-    evaluator.slope(0.7).map(|_| ())
+    evaluator.equivalent(0.7).map(|_| ())
 }
 
 fn main() {

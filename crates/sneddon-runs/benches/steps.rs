@@ -38,7 +38,7 @@ fn number(text: &str, method: Method, ask: fn(&Evaluator<'_>, f64) -> bool) -> B
 }
 
 fn kinds() -> Vec<Kind> {
-    let slope = |evaluator: &Evaluator<'_>, share: f64| evaluator.slope(share).is_ok();
+    let slope = |evaluator: &Evaluator<'_>, share: f64| evaluator.equivalent(share).is_ok();
     let pressure = |evaluator: &Evaluator<'_>, share: f64| evaluator.pressure(0.9 * share, 1.0).is_ok();
     let many: String = (1..60).map(|i| format!("+max(0,r-{i})")).collect();
     let latex = solution("max(0,r-b)^40");

@@ -299,7 +299,7 @@ fn warn_of_falls(contact: &Contact<'_>, quantity: Quantity, at: &[f64], readings
     };
     let Ok(largest) = largest else { return };
     let places = (1..=LOOKS).map(|step| largest * f64::from(step) / f64::from(LOOKS));
-    let known = places.map_while(|x| Some((x, contact.evaluator().slope(x).ok()?.estimate)));
+    let known = places.map_while(|x| Some((x, contact.evaluator().equivalent(x).ok()?.estimate)));
     let known: Vec<(f64, Estimate)> = std::iter::once((0.0, Estimate::exact(0.0))).chain(known).collect();
     let falls = |pair: &&[(f64, Estimate)]| matches!(pair, [(_, one), (_, other)] if other.value + other.error < one.value - one.error);
     if let Some([(x, _), _]) = known.windows(2).find(falls) {
@@ -343,7 +343,7 @@ fn with_the_answer(mut asked: Vec<Asked>, reading: &Measured) -> Vec<Asked> {
 fn read_all(quantity: Quantity, contact: &Contact<'_>, at: &[f64], radius: Option<f64>) -> Result<Vec<Measured>, ContactError> {
     match (quantity, radius) {
         (Quantity::Profile, _) => contact.profiles(at),
-        (Quantity::Equivalent, _) => contact.slopes(at),
+        (Quantity::Equivalent, _) => contact.equivalents(at),
         (Quantity::Depth, _) => contact.depths(at),
         (Quantity::Force, _) => contact.forces(at),
         (Quantity::Pressure, Some(a)) => contact.pressures(at, a),

@@ -59,7 +59,7 @@ fn statement(rule: &'static Rule) -> Result<Statement, Failure> {
     Ok(Statement {
         rule,
         pattern: read(rule.pattern)?,
-        slope: read(rule.slope)?,
+        equivalent: read(rule.equivalent)?,
         force: read(rule.force)?,
         pressure: rule.pressure.map(read).transpose()?,
     })

@@ -25,16 +25,16 @@ impl Slopes {
         let (mut pieces, mut terms) = (Vec::new(), Vec::new());
         for (lower, upper, piece) in solution.profile.chains.iter().flat_map(Chain::intervals) {
             let (Some(lower), Some(upper)) = (number(&lower), upper.map_or(Some(f64::INFINITY), number)) else { continue };
-            let slope = |own: &Expr| {
+            let f_prime = |own: &Expr| {
                 let tape = Tape::compile(&[bindings.apply(&derivative(own, &radius).ok()?)], std::slice::from_ref(&radius)).ok()?;
                 Some(Piece { range: lower..upper, tape })
             };
-            pieces.extend(slope(piece));
+            pieces.extend(f_prime(piece));
             let is_rounded = |own: &Expr| {
                 let (coefficient, rest) = own.split_coefficient();
                 rest.contains(&radius) && Number::from_f64(coefficient.to_f64()).is_none_or(|double| double != coefficient)
             };
-            terms.extend(piece.terms().iter().filter(|own| is_rounded(own)).filter_map(slope));
+            terms.extend(piece.terms().iter().filter(|own| is_rounded(own)).filter_map(f_prime));
         }
         Self { pieces, terms }
     }

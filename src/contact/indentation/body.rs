@@ -53,5 +53,5 @@ impl<'a> Body<'a> {
 /// The first examined radius at which f′ is not real; infinite if there is none.
 fn undefined_from(curvature: &Curvature<'_>) -> f64 {
     let places: Vec<f64> = std::iter::successors(Some(NEAREST), |r| Some(r * STEP)).take_while(|r| *r < FARTHEST).collect();
-    super::landscape::first(|r| curvature.slope(r).value.is_nan(), 0.0, &places).unwrap_or(f64::INFINITY)
+    super::landscape::first(|r| curvature.f_prime(r).value.is_nan(), 0.0, &places).unwrap_or(f64::INFINITY)
 }

@@ -94,7 +94,7 @@ impl Cells {
         let mut steepest = f64::MIN_POSITIVE;
         let mut ranked = Vec::new();
         for (index, cell) in self.list.iter().enumerate().filter(|(_, cell)| cell.lower < fine) {
-            steepest = steepest.max(curvature.slope(cell.upper).value.abs());
+            steepest = steepest.max(curvature.f_prime(cell.upper).value.abs());
             ranked.push((doubt(cell, steepest), steepest, index));
         }
         let mut heap: std::collections::BinaryHeap<Ranked> = ranked
@@ -242,8 +242,8 @@ fn presses(curvature: &Curvature<'_>, r: f64) -> bool {
 /// Whether a negative bend is within rounding error.
 fn is_rounding(curvature: &Curvature<'_>, cell: &Cell) -> bool {
     cell.low < 0.0 && cell.low.is_finite() && {
-        let slope = curvature.slope(cell.upper);
-        -cell.low <= ROUNDING * (slope.value - slope.error) || -cell.low <= 4.0 * f64::MIN_POSITIVE
+        let f_prime = curvature.f_prime(cell.upper);
+        -cell.low <= ROUNDING * (f_prime.value - f_prime.error) || -cell.low <= 4.0 * f64::MIN_POSITIVE
     }
 }
 

@@ -17,7 +17,7 @@ pub(super) struct Curvature<'a> {
 struct Pieces {
     breakpoints: Vec<f64>,
     heights: Vec<ClosedForm>,
-    slopes: Vec<ClosedForm>,
+    f_primes: Vec<ClosedForm>,
     bends: Vec<ClosedForm>,
     /// (r f′)″, compiled when needed for the sign of (r f′)′.
     turns: Vec<Turn>,
@@ -56,22 +56,22 @@ impl<'a> Curvature<'a> {
             let breakpoints = chain.breakpoints.iter().map(number).collect::<Result<_, _>>()?;
             let heights = chain.pieces.iter().map(|piece| compile(&(piece + &shift))).collect::<Result<_, _>>()?;
             shift = Expr::zero();
-            let (mut slopes, mut bends) = (Vec::new(), Vec::new());
+            let (mut f_primes, mut bends) = (Vec::new(), Vec::new());
             let mut turns = Vec::new();
-            for slope in chain.slopes()? {
-                let bend = derivative(&(Expr::symbol("r") * &slope), &radius)?;
+            for f_prime in chain.f_primes()? {
+                let bend = derivative(&(Expr::symbol("r") * &f_prime), &radius)?;
                 bends.push(compile(&bend)?);
-                slopes.push(compile(&slope)?);
+                f_primes.push(compile(&f_prime)?);
                 turns.push(Turn { bend, compiled: OnceLock::new() });
             }
-            self.chains.push(Pieces { breakpoints, heights, slopes, bends, turns });
+            self.chains.push(Pieces { breakpoints, heights, f_primes, bends, turns });
         }
         Ok(self)
     }
 
     /// f′(r); the right-hand limit at a breakpoint.
-    pub(super) fn slope(&self, r: f64) -> Bounded {
-        self.total(r, |pieces| &pieces.slopes, |other| other.first(r))
+    pub(super) fn f_prime(&self, r: f64) -> Bounded {
+        self.total(r, |pieces| &pieces.f_primes, |other| other.first(r))
     }
 
     /// (r f′)′ at r.
@@ -93,8 +93,8 @@ impl<'a> Curvature<'a> {
     }
 
     /// Bounds on f′ between two radii.
-    pub(super) fn slope_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
-        self.total_over(lower, upper, |pieces| &pieces.slopes, |own| Some(own.slope))
+    pub(super) fn f_prime_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
+        self.total_over(lower, upper, |pieces| &pieces.f_primes, |own| Some(own.f_prime))
     }
 
     /// Bounds on (r f′)′ between two radii.
@@ -157,7 +157,7 @@ impl<'a> Curvature<'a> {
     pub(super) fn kinks(&self) -> Vec<Kink> {
         let mut found: Vec<Kink> = Vec::new();
         for pieces in &self.chains {
-            for (at, pair) in pieces.breakpoints.iter().zip(pieces.slopes.windows(2)) {
+            for (at, pair) in pieces.breakpoints.iter().zip(pieces.f_primes.windows(2)) {
                 let [before, beyond] = pair else { continue };
                 let (before, beyond) = (before.value(&[*at]), beyond.value(&[*at]));
                 let jump = beyond - before;

@@ -130,7 +130,7 @@ impl<'a> Landscape<'a> {
     fn sample(&mut self, evaluator: &Superposition<'_>, places: &[f64], telling: &Telling<'_>) -> Result<(), TransformError> {
         let mut seen = Vec::new();
         // Skips places where g cannot be evaluated.
-        let mut look = |x: f64| seen.extend(evaluator.slope(x).ok().map(|g| (x, g.estimate.value, g.estimate.error)));
+        let mut look = |x: f64| seen.extend(evaluator.equivalent(x).ok().map(|g| (x, g.estimate.value, g.estimate.error)));
         let (coarse, fine) = telling.near();
         look_while(&coarse, u64::MAX, &mut look);
         let thinned = look_while(&fine, NEAR, &mut look).is_some();
@@ -163,14 +163,14 @@ impl<'a> Landscape<'a> {
         }
         let mut falling = None;
         for r in places.iter().filter(|r| **r <= self.reach) {
-            let slope = self.curvature.slope(*r);
+            let f_prime = self.curvature.f_prime(*r);
             if let Some(from) = falling
-                && slope.value > slope.error
+                && f_prime.value > f_prime.error
             {
                 self.troughs.push(self.trough(from, *r));
             }
-            if slope.value.abs() > slope.error {
-                falling = (slope.value < 0.0).then_some(*r);
+            if f_prime.value.abs() > f_prime.error {
+                falling = (f_prime.value < 0.0).then_some(*r);
             }
         }
         // The smallest f is at a root of f′, at a kink, or at the end.
@@ -183,7 +183,7 @@ impl<'a> Landscape<'a> {
 
     /// Where f′ changes its sign between a radius at which f falls and one at which it rises.
     fn trough(&self, from: f64, to: f64) -> f64 {
-        let root = bracketed(|r| Ok::<f64, NumError>(self.curvature.slope(r).value), from, to, &RootOptions::default());
+        let root = bracketed(|r| Ok::<f64, NumError>(self.curvature.f_prime(r).value), from, to, &RootOptions::default());
         root.map_or(0.5 * (from + to), |own| own.x)
     }
 
@@ -286,7 +286,7 @@ fn telling(places: &[f64], rising: Vec<(f64, f64)>) -> Vec<f64> {
 
 /// The first radius at which |f′| exceeds the bound, to about six digits.
 pub(super) fn first_steep(curvature: &Curvature<'_>, flat: f64, places: &[f64]) -> Option<f64> {
-    first(|r| curvature.slope(r).value.abs() > STEEP, flat, places)
+    first(|r| curvature.f_prime(r).value.abs() > STEEP, flat, places)
 }
 
 /// The first radius at which something is true that is not so before; places are rising.

@@ -139,7 +139,7 @@ impl<'a> Part<'a> {
 struct AtRim {
     radius: f64,
     /// g(c).
-    slope: f64,
+    equivalent: f64,
     /// F of a smooth contact of radius c.
     force: f64,
 }
@@ -238,10 +238,10 @@ impl<'a> Indentation<'a> {
             return Err(ContactError::Missing { quantity: "a concave profile", needs: "a radius: the vertical side of the indenter" });
         }
         let at_rim = match setup.rim {
-            Some(radius) if is_flat => Some(AtRim { radius, slope: 0.0, force: 0.0 }),
+            Some(radius) if is_flat => Some(AtRim { radius, equivalent: 0.0, force: 0.0 }),
             Some(radius) => {
                 let force = contact.any_force(radius)?.estimate.value;
-                Some(AtRim { radius, slope: contact.evaluator().slope(radius)?.estimate.value, force })
+                Some(AtRim { radius, equivalent: contact.evaluator().equivalent(radius)?.estimate.value, force })
             }
             None => None,
         };
@@ -324,19 +324,19 @@ impl<'a> Indentation<'a> {
         if depth == touch && depth == 0.0 {
             let radius = if self.contact.evaluator().breakpoints_below(f64::INFINITY).is_empty() { 0.0 } else { self.landscape.flat };
             let (radius, boundary) = match self.at_rim {
-                Some(rim) if rim.slope == 0.0 && rim.force == 0.0 => (rim.radius, Boundary::Rim),
+                Some(rim) if rim.equivalent == 0.0 && rim.force == 0.0 => (rim.radius, Boundary::Rim),
                 _ => (radius, Boundary::Smooth),
             };
             return Ok(Indented { state: Some(State { depth, force: 0.0, radius, boundary }), findings: Vec::new(), radii: None });
         }
         let mut candidates = Vec::new();
         if let Some(rim) = self.at_rim
-            && depth >= rim.slope
+            && depth >= rim.equivalent
         {
-            let excess = depth - rim.slope;
+            let excess = depth - rim.equivalent;
             let force = rim.force + 2.0 * self.setup.effective_modulus * rim.radius * excess;
             // At d = g(c) the edge is still smooth.
-            let boundary = if excess == 0.0 && rim.slope > 0.0 { Boundary::Smooth } else { Boundary::Rim };
+            let boundary = if excess == 0.0 && rim.equivalent > 0.0 { Boundary::Smooth } else { Boundary::Rim };
             let state = State { depth, force, radius: rim.radius, boundary };
             if self.landscape.rising {
                 return Ok(self.judged(state));
@@ -374,7 +374,7 @@ impl<'a> Indentation<'a> {
         if let Some(rim) = self.at_rim
             && force >= rim.force
         {
-            let depth = rim.slope + (force - rim.force) / (2.0 * self.setup.effective_modulus * rim.radius);
+            let depth = rim.equivalent + (force - rim.force) / (2.0 * self.setup.effective_modulus * rim.radius);
             let state = State { depth, force, radius: rim.radius, boundary: Boundary::Rim };
             if self.landscape.rising {
                 return Ok(self.judged(state));
@@ -413,7 +413,7 @@ impl<'a> Indentation<'a> {
                     needs: "a load by depth or force: any depth beyond g(c) has this radius",
                 });
             }
-            if rim.slope == 0.0 && rim.force == 0.0 {
+            if rim.equivalent == 0.0 && rim.force == 0.0 {
                 return Ok(unreachable(format!("the end is flat up to r = {}: a contact is as large", self.naming.length(rim.radius))));
             }
             if radius > rim.radius {

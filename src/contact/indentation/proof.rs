@@ -196,12 +196,12 @@ impl Indentation<'_> {
             let own = shape.height(r).ok().map(|own| own.estimate).filter(|own| own.bound == Bound::Proven);
             own.map_or(f64::NEG_INFINITY, |own| own.value - own.error)
         };
-        let by_slope = curvature.slope_over(from, to).map_or(f64::NEG_INFINITY, |(low, high)| {
+        let by_f_prime = curvature.f_prime_over(from, to).map_or(f64::NEG_INFINITY, |(low, high)| {
             let width = (to - from) * (1.0 + 4.0 * f64::EPSILON);
             let (falls, rises) = (width * low.min(0.0), width * high.max(0.0));
             if falls == 0.0 { height(from) } else { (height(from) + falls).max(height(to) - rises) }
         });
-        if by_slope.is_nan() { plain } else { plain.max(by_slope) }
+        if by_f_prime.is_nan() { plain } else { plain.max(by_f_prime) }
     }
 }
 
@@ -223,10 +223,10 @@ impl Lift {
         let proven = |own: Estimate| (own.bound == Bound::Proven).then_some(own);
         let least = |own: Estimate| FRAC_2_PI * (own.value - own.error) * (1.0 - 4.0 * f64::EPSILON);
         let force = shape.force(a).ok().and_then(|own| proven(own.estimate)).map_or(0.0, least);
-        let count = if rises { affordable(STEPS, || shape.slope(0.5 * a)) } else { 0 };
+        let count = if rises { affordable(STEPS, || shape.equivalent(0.5 * a)) } else { 0 };
         let places = (1..=count).map(|step| a * (FRAC_PI_2 * f64::from(step) / f64::from(count)).sin());
         let gap = |x: f64| {
-            let g = proven(shape.slope(x).ok()?.estimate)?;
+            let g = proven(shape.equivalent(x).ok()?.estimate)?;
             Some((x, (depth - g.value - g.error).max(0.0), depth - g.value + g.error))
         };
         // Skip radii at which g has no proven bound, which widens the step.

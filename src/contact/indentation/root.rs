@@ -158,10 +158,10 @@ fn is_followed(curvature: &Curvature<'_>, a: f64) -> bool {
     if radii.clone().all(|r| curvature.bend(r).value > 0.0) {
         return true;
     }
-    let slopes: Vec<Bounded> = radii.map(|r| curvature.slope(r)).collect();
-    let size = slopes.iter().fold(0.0f64, |most, slope| most.max(slope.value.abs()));
+    let f_primes: Vec<Bounded> = radii.map(|r| curvature.f_prime(r)).collect();
+    let size = f_primes.iter().fold(0.0f64, |most, f_prime| most.max(f_prime.value.abs()));
     let (mut changes, mut last) = (0, 0.0);
-    for own in slopes.windows(3) {
+    for own in f_primes.windows(3) {
         let [one, two, three] = own else { continue };
         let bend = (one.value - two.value) - (two.value - three.value);
         // Ignores rounding errors, such as those of 1 - sin(r)/r next to the axis.
@@ -176,7 +176,7 @@ fn is_followed(curvature: &Curvature<'_>, a: f64) -> bool {
 impl Indentation<'_> {
     /// Every smooth contact at a depth, from the axis outward.
     pub(super) fn smooth_at_depth(&self, depth: f64) -> Result<Vec<State>, ContactError> {
-        let mut gap = |a: f64| match self.contact.evaluator().slope(a) {
+        let mut gap = |a: f64| match self.contact.evaluator().equivalent(a) {
             Ok(g) => Ok(g.estimate.value - depth),
             // An overflow lies beyond every root.
             Err(TransformError::Overflow { is_negative, .. }) => Ok(overflow(is_negative)),

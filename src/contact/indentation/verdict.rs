@@ -150,12 +150,12 @@ impl Indentation<'_> {
     /// p ≥ 0 for all r < c, which is a lower limit of the depth: p increases with d in proportion to 1/√(c² − r²).
     fn tension_of_complete_contact(&self, state: &State, verdict: &mut Inspection) {
         let Some(rim) = self.at_rim else { return };
-        let (least, at, places) = *self.known.complete.get_or_init(|| work::unbroken(|| self.least_depth(rim.radius, rim.slope)));
+        let (least, at, places) = *self.known.complete.get_or_init(|| work::unbroken(|| self.least_depth(rim.radius, rim.equivalent)));
         if state.depth >= least * (1.0 - NOISE * least.signum()) {
             if state.depth >= self.known.complete_from.get() {
                 return;
             }
-            let sign = |cells| self.pressure_sign(cells, rim.radius, state.depth - rim.slope, NOISE * state.depth.abs());
+            let sign = |cells| self.pressure_sign(cells, rim.radius, state.depth - rim.equivalent, NOISE * state.depth.abs());
             match self.landscape.cells.as_ref().map_or(Sign::Open(0), sign) {
                 Sign::Proven => self.known.complete_from.set(state.depth),
                 Sign::Open(looks) => verdict.looked_at(looks + u64::from(places)),
@@ -173,13 +173,13 @@ impl Indentation<'_> {
     }
 
     /// The maximum over r < c of g(c) − √(c² − r²) π p_smooth/E*, its radius, and the number of radii checked.
-    fn least_depth(&self, c: f64, slope: f64) -> (f64, f64, u32) {
+    fn least_depth(&self, c: f64, at_rim: f64) -> (f64, f64, u32) {
         let shape = self.contact.evaluator();
         if self.pull_on_axis(c) == Some(true) {
             return (f64::INFINITY, 0.0, 0);
         }
         let needed = |r: f64| match shape.pressure(r, c) {
-            Ok(Some(p)) => p.estimate.value * leg(c, r) - slope,
+            Ok(Some(p)) => p.estimate.value * leg(c, r) - at_rim,
             // The pressure is −∞ at a concave kink and +∞ at a convex one.
             Ok(None) => f64::INFINITY,
             Err(_) => f64::NAN,
@@ -189,7 +189,7 @@ impl Indentation<'_> {
         }
         let count = affordable(LOOKS, || needed(TYPICAL * c));
         let (at, value) = lowest(&needed, &looks_between(0.0, c, count));
-        if -value > slope { (-value, at, count) } else { (slope, c, count) }
+        if -value > at_rim { (-value, at, count) } else { (at_rim, c, count) }
     }
 
     /// Returns `None` if the pressure of a smooth contact of this radius is not negative on the axis, else whether it is −∞.
@@ -317,9 +317,9 @@ impl Indentation<'_> {
     /// The first radius beyond a at which the bodies overlap, and the number of radii checked without a proof.
     fn first_overlap(&self, a: f64) -> (Option<f64>, Option<u64>) {
         let (contact, reach) = (&self.contact, self.landscape.reach);
-        let Ok(Reading { estimate: Estimate { value: depth, .. }, .. }) = contact.evaluator().slope(a) else { return (None, Some(0)) };
+        let Ok(Reading { estimate: Estimate { value: depth, .. }, .. }) = contact.evaluator().equivalent(a) else { return (None, Some(0)) };
         if a >= self.landscape.first_fall
-            && let Ok(beyond) = contact.evaluator().slope((a * (1.0 + 1e-6)).min(reach))
+            && let Ok(beyond) = contact.evaluator().equivalent((a * (1.0 + 1e-6)).min(reach))
             && beyond.estimate.value + beyond.estimate.error < depth
         {
             return (Some(a), None);

@@ -109,7 +109,7 @@ quantities! {
     Equivalent => Record {
         title: "equivalent profile",
         formula: Some(|all| Some(Cow::Borrowed(&all.relations.g))),
-        ..shape("g", "g(x)", "x", Dimension::LENGTH, |contact, x, _| Ok(Ok(contact.evaluator().slope(x)?)))
+        ..shape("g", "g(x)", "x", Dimension::LENGTH, |contact, x, _| Ok(Ok(contact.evaluator().equivalent(x)?)))
     },
     /// G(x) = ∫₀ˣ g.
     Integral => Record {

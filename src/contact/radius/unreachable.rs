@@ -162,7 +162,7 @@ impl Cells {
             }
             let Some(place) = open.get(open.len() / 2).and_then(|index| self.0.get(*index)) else { return true };
             // A single value of g, if it is cheap, may show that g reaches the depth.
-            let reaches = || shape.slope(place.upper).is_ok_and(|g| g.estimate.value >= depth);
+            let reaches = || shape.equivalent(place.upper).is_ok_and(|g| g.estimate.value >= depth);
             if work::share(CHEAP, reaches) == Some(true) {
                 return false;
             }

@@ -23,7 +23,7 @@ pub(super) fn steps(typed: &Formula, solution: &Solution, relations: &Relations)
         if terms.len() > MANY { Vec::new() } else { terms.iter().enumerate().map(|(at, own)| term(at, terms.len(), own, name)).collect() };
     let mut list = vec![
         shape(typed, solution),
-        Step::new("Slope", "f'(r)", slope(solution)?, Prose::words("Differentiated piece by piece")),
+        Step::new("Slope", "f'(r)", f_prime(solution)?, Prose::words("Differentiated piece by piece")),
         Step::new("Equivalent profile", "g(x)", definition(), split).from(&["Popov & Heß (3.27)"]).with(parts),
     ];
     if terms.len() != 1 || terms.iter().any(|own| !own.term.segment.is_whole()) {
@@ -53,16 +53,16 @@ pub(super) fn definition() -> Formula {
 
 /// The terms of f′ that are not 0.
 pub(super) fn sloped_terms(solution: &Solution) -> Vec<&SolvedTerm> {
-    solution.terms().filter(|own| !own.term.slope().is_zero()).collect()
+    solution.terms().filter(|own| !own.term.f_prime().is_zero()).collect()
 }
 
 /// f′ of all chains together.
-pub(super) fn slope(solution: &Solution) -> Result<Formula, TransformError> {
+pub(super) fn f_prime(solution: &Solution) -> Result<Formula, TransformError> {
     let mut parts = Vec::new();
     for chain in &solution.profile.chains {
-        let mut slopes: Vec<Formula> = chain.slopes()?.into_iter().map(Formula::Closed).collect();
-        let Some(last) = slopes.pop() else { continue };
-        let pieces: Vec<(Formula, Expr)> = slopes.into_iter().zip(chain.breakpoints.iter().cloned()).collect();
+        let mut f_primes: Vec<Formula> = chain.f_primes()?.into_iter().map(Formula::Closed).collect();
+        let Some(last) = f_primes.pop() else { continue };
+        let pieces: Vec<(Formula, Expr)> = f_primes.into_iter().zip(chain.breakpoints.iter().cloned()).collect();
         parts.push(if pieces.is_empty() { last } else { Formula::Piecewise { variable: Symbol::new("r"), pieces, last: Box::new(last) } });
     }
     Ok(Formula::sum(parts))
@@ -75,9 +75,9 @@ fn term(at: usize, count: usize, solved: &SolvedTerm, name: &'static str) -> Ste
     } else {
         (format!("Term {} of {count}", at + 1), format!("g_{}(x)", at + 1), format!("f_{}'(r)", at + 1))
     };
-    let step = Step::new(&title, &slope_name, Formula::Closed(solved.term.slope()), place(segment));
+    let step = Step::new(&title, &slope_name, Formula::Closed(solved.term.f_prime()), place(segment));
     let Some((rule, answer)) = &solved.answer else {
-        let open = x_times(over("r", solved.term.slope(), root("x", "r"), segment.lower.clone(), Expr::symbol("x")));
+        let open = x_times(over("r", solved.term.f_prime(), root("x", "r"), segment.lower.clone(), Expr::symbol("x")));
         let why = Prose::words("No rule has a closed form of this term, so that it stays the integral; numbers come from quadrature of it");
         return step.with(vec![Step::new("Integral", &left, open, within(segment, why))]);
     };
@@ -103,7 +103,7 @@ fn term(at: usize, count: usize, solved: &SolvedTerm, name: &'static str) -> Ste
 }
 
 fn shown(answer: &Answer, beyond: bool) -> Formula {
-    Formula::Closed(if beyond { answer.slope.beyond.shown.clone() } else { answer.slope.within.shown.clone() })
+    Formula::Closed(if beyond { answer.equivalent.beyond.shown.clone() } else { answer.equivalent.within.shown.clone() })
 }
 
 fn by_rule(rule: &Rule, answer: &Answer) -> Prose {
@@ -170,10 +170,10 @@ fn less_or_equal(left: Expr, right: Expr) -> Condition {
 fn substituted(solved: &SolvedTerm, name: &'static str) -> Option<Formula> {
     let (x, t) = (Expr::symbol("x"), Expr::symbol(name));
     let radius = &x * Expr::call("sin", [t]);
-    let slope = Bindings::one("r", radius).apply(&solved.term.slope());
+    let f_prime = Bindings::one("r", radius).apply(&solved.term.f_prime());
     let lower = &solved.term.segment.lower;
     let start = if lower.is_zero() { Expr::zero() } else { Expr::call("asin", [lower / &x]) };
-    Some(x_times(over(name, slope, Expr::one(), start, Expr::pi() / Expr::integer(2))))
+    Some(x_times(over(name, f_prime, Expr::one(), start, Expr::pi() / Expr::integer(2))))
 }
 
 /// √(one² − other²).

@@ -18,9 +18,9 @@ pub(super) fn step(solution: &Solution, edge: &Edge) -> Option<Step> {
     if *edge != Edge::Smooth || !chain.breakpoints.is_empty() {
         return None;
     }
-    let slope = chain.slopes().ok()?.into_iter().next()?;
-    let leading = leading(&slope)?;
-    if leading == slope || !is_confirmed(solution, &slope, &leading) {
+    let f_prime = chain.f_primes().ok()?.into_iter().next()?;
+    let leading = leading(&f_prime)?;
+    if leading == f_prime || !is_confirmed(solution, &f_prime, &leading) {
         return None;
     }
     let (coefficient, exponent) = power_of(&leading)?;
@@ -46,11 +46,11 @@ pub(super) fn step(solution: &Solution, edge: &Edge) -> Option<Step> {
 }
 
 /// The term with which a function of r begins at 0.
-fn leading(slope: &Expr) -> Option<Expr> {
+fn leading(f_prime: &Expr) -> Option<Expr> {
     let radius = Symbol::new("r");
     let at_axis = Bindings::one("r", Expr::zero());
     let mut found: Vec<(Expr, Expr)> = Vec::new();
-    for term in normal::normal_terms(slope, &radius).ok()? {
+    for term in normal::normal_terms(f_prime, &radius).ok()? {
         let mut kernel = term.kernel.clone();
         let (mut order, mut factorial) = (0, 1);
         let value = loop {
@@ -101,11 +101,11 @@ fn power_of(leading: &Expr) -> Option<(Expr, Expr)> {
 }
 
 /// True if the two agree close to the axis at admissible parameters.
-fn is_confirmed(solution: &Solution, slope: &Expr, leading: &Expr) -> bool {
+fn is_confirmed(solution: &Solution, f_prime: &Expr, leading: &Expr) -> bool {
     const CLOSE: f64 = 0.05;
     let Some(mut values) = Sampler::new(7).parameters(solution) else { return false };
     values.insert(Symbol::new("r"), Expr::ratio(1, 10_000));
     let value = |expr: &Expr| constant_value(&values.apply(expr), &Bindings::default()).map(|own| own.value).unwrap_or(f64::NAN);
-    let (one, other) = (value(slope), value(leading));
+    let (one, other) = (value(f_prime), value(leading));
     ((one - other) / other).abs() < CLOSE
 }

@@ -78,8 +78,8 @@ pub(super) const NO_PRESSURE: &str = "$g$ may jump where $f'(r)$ is infinite: $p
 
 fn pressure(edge: &Edge, relations: &Relations) -> Step {
     let mut steps = Vec::new();
-    if let Some(slope) = relations.g.formula.as_closed().and_then(|g| derivative(&shown(g), &Symbol::new("x")).ok()) {
-        steps.push(Step::new("Slope of the equivalent profile", "g'(x)", Formula::Closed(slope), Prose::words("Differentiated")));
+    if let Some(g_prime) = relations.g.formula.as_closed().and_then(|g| derivative(&shown(g), &Symbol::new("x")).ok()) {
+        steps.push(Step::new("Slope of the equivalent profile", "g'(x)", Formula::Closed(g_prime), Prose::words("Differentiated")));
     }
     match &relations.pressure {
         Some(found) => steps.push(

@@ -26,7 +26,7 @@ use crate::transform::{Derived, Solution, Status, TransformError};
 pub fn short_steps(typed: &Formula, solution: &Solution, edge: &Edge, relations: &Relations) -> Result<Vec<Step>, TransformError> {
     let mut list = vec![
         equivalent::shape(typed, solution),
-        slope(solution)?,
+        f_prime(solution)?,
         equivalent_profile(solution, relations),
         depth(edge, relations),
         force(edge, relations),
@@ -65,10 +65,10 @@ fn closed_by(reason: Prose, found: &Derived) -> Prose {
     reason.followed_by(&more)
 }
 
-fn slope(solution: &Solution) -> Result<Step, TransformError> {
+fn f_prime(solution: &Solution) -> Result<Step, TransformError> {
     let is_whole = solution.profile.chains.iter().all(|chain| chain.breakpoints.is_empty());
     let why = Prose::read("The derivative of $f(r)$").then(if is_whole { "" } else { ", piece by piece" });
-    Ok(Step::new("Slope", "f'(r)", equivalent::slope(solution)?, why))
+    Ok(Step::new("Slope", "f'(r)", equivalent::f_prime(solution)?, why))
 }
 
 fn equivalent_profile(solution: &Solution, relations: &Relations) -> Step {

@@ -190,21 +190,25 @@ fn by_rules(terms: Vec<Term>, segment: Segment, mut closed: Vec<Share>, conditio
     let mut open = Vec::new();
     for term in terms {
         let Some((rule, answer)) = rules::answer(&term) else {
-            open.push(term.slope());
+            open.push(term.f_prime());
             continue;
         };
         conditions.extend(answer.conditions);
-        let f = |pair: &Pair| Pair { shown: from_slope(&pair.shown), evaluated: from_slope(&pair.evaluated) };
+        let f = |pair: &Pair| Pair { shown: from_equivalent(&pair.shown), evaluated: from_equivalent(&pair.evaluated) };
         let reference = rule.reference.iter().copied().chain(["inverse Abel transform"]).collect();
-        closed.push(Share { id: rule.id, reference, f: Branches { within: f(&answer.slope.within), beyond: f(&answer.slope.beyond) } });
+        closed.push(Share {
+            id: rule.id,
+            reference,
+            f: Branches { within: f(&answer.equivalent.within), beyond: f(&answer.equivalent.beyond) },
+        });
     }
     InverseInterval { segment, closed, open: Expr::sum(open) }
 }
 
 /// 2/(π r) times an expression over x, with x = r.
-fn from_slope(slope: &Expr) -> Expr {
+fn from_equivalent(equivalent: &Expr) -> Expr {
     let (r, two) = (Expr::symbol("r"), Expr::integer(2));
-    let over_radius = Bindings::one("x", r.clone()).apply(slope);
+    let over_radius = Bindings::one("x", r.clone()).apply(equivalent);
     let factor = two / (Expr::pi() * r);
     Expr::sum(over_radius.terms().iter().map(|term| &factor * term))
 }

@@ -60,7 +60,7 @@ fn entries(read: Reader) -> &'static [Entry] {
     static READ: OnceLock<Vec<Entry>> = OnceLock::new();
     let all = || {
         let table = TABLE.iter().map(|rule| (rule.id, rule.reference, rule.pattern, rule.result, rule.parameters, false));
-        let rules = RULES.iter().map(|rule| (rule.id, rule.reference, rule.slope, rule.pattern, rule.parameters, true));
+        let rules = RULES.iter().map(|rule| (rule.id, rule.reference, rule.equivalent, rule.pattern, rule.parameters, true));
         table.chain(rules).filter_map(|own| entry(own, read)).collect()
     };
     READ.get_or_init(|| work::uncounted(all))

@@ -28,20 +28,20 @@ enum Known<'a> {
     Arcosh(&'a Expr),
 }
 
-/// Splits ∫ `slope`/√(x²−r²) dx into a closed part and a remaining integral.
+/// Splits ∫ `g_prime`/√(x²−r²) dx into a closed part and a remaining integral.
 ///
-/// Returns `None` if no term of `slope` has a closed integral, if the remaining terms are longer than `slope`, or if one of them
+/// Returns `None` if no term of `g_prime` has a closed integral, if the remaining terms are longer than `g_prime`, or if one of them
 /// contains a special function. Its derivative contains powers that cancel with it, so they are kept in one integral.
 ///
 /// The limits are max(`lower`, r), or r where there is none, and max(`upper`, r). Roots √(x²−b²) are read for the places b in
 /// `kinks`. Powers are those of (3.37) under a power (Popov & Heß 3.20–3.24), x^(2k)/√(x²−b²) leads to incomplete elliptic
 /// integrals, and x exp(κx²) with t² = x² − r² to the error function.
-pub(crate) fn split(slope: &Expr, kinks: &[Expr], lower: Option<&Expr>, upper: &Expr) -> Option<Split> {
-    if slope.size_up_to(LONGEST) >= LONGEST || !may_close(slope) {
+pub(crate) fn split(g_prime: &Expr, kinks: &[Expr], lower: Option<&Expr>, upper: &Expr) -> Option<Split> {
+    if g_prime.size_up_to(LONGEST) >= LONGEST || !may_close(g_prime) {
         return None;
     }
     let (mut closed, mut open) = (Vec::new(), Vec::new());
-    for term in normal::normal_terms(slope, &Symbol::new("x")).ok()? {
+    for term in normal::normal_terms(g_prime, &Symbol::new("x")).ok()? {
         let known = known(&term, kinks);
         if known.is_empty() {
             open.push(term);
@@ -56,7 +56,7 @@ pub(crate) fn split(slope: &Expr, kinks: &[Expr], lower: Option<&Expr>, upper: &
         [coefficient * known.up_to(upper), lower.map_or_else(Expr::zero, |lower| -coefficient * known.up_to(lower))]
     };
     let rest = Expr::sum(open.iter().map(|term| term.to_expr(&Symbol::new("x"))));
-    let is_shorter = rest.size_up_to(LONGEST) < slope.size_up_to(LONGEST);
+    let is_shorter = rest.size_up_to(LONGEST) < g_prime.size_up_to(LONGEST);
     is_shorter.then(|| Split { closed: Expr::sum(closed.iter().flat_map(ends)), rest })
 }
 
@@ -181,11 +181,11 @@ fn exponent_of_square(kernel: &Expr) -> Option<Expr> {
     (constant.is_zero() && linear.is_zero() && matches!(sign(&kappa), Sign::Positive | Sign::Negative)).then_some(kappa)
 }
 
-/// Returns false if `slope` contains special functions, or inverse functions with roots in their arguments.
+/// Returns false if `g_prime` contains special functions, or inverse functions with roots in their arguments.
 ///
-/// The recognition form of such functions is expensive to compute and longer than `slope`.
-fn may_close(slope: &Expr) -> bool {
-    slope.parts().filter(|own| own.contains(&Symbol::new("x"))).all(|own| match own.node() {
+/// The recognition form of such functions is expensive to compute and longer than `g_prime`.
+fn may_close(g_prime: &Expr) -> bool {
+    g_prime.parts().filter(|own| own.contains(&Symbol::new("x"))).all(|own| match own.node() {
         Node::Function(function, arguments) => {
             function.name() == "exp" || is_logarithm_or_inverse(function) && !arguments.iter().any(has_root)
         }

@@ -17,7 +17,7 @@ pub(super) static FIRST_KIND: Rule = Rule {
     id: "bessel",
     title: "Bessel function of the first kind times a power",
     pattern: "A*(1-besselj(0,k*r))+C*besselj(1,k*r)",
-    slope: "A*(1-cos(k*x))+C*pi/4*k*x*(besselj(0,k*x/2)^2-besselj(1,k*x/2)^2)",
+    equivalent: "A*(1-cos(k*x))+C*pi/4*k*x*(besselj(0,k*x/2)^2-besselj(1,k*x/2)^2)",
     force: "2*E*(A*(sin(k*a)/k-a*cos(k*a))+C*pi/4*a*(k*a*(besselj(0,k*a/2)^2-besselj(1,k*a/2)^2)-2*besselj(0,k*a/2)*besselj(1,k*a/2)))",
     pressure: None,
     parameters: PARAMETERS,
@@ -31,7 +31,7 @@ pub(super) static MODIFIED: Rule = Rule {
     id: "modified-bessel",
     title: "Modified Bessel function times a power",
     pattern: "A*(besseli(0,k*r)-1)+C*besseli(1,k*r)",
-    slope: "A*(cosh(k*x)-1)+C*pi/4*k*x*(besseli(0,k*x/2)^2+besseli(1,k*x/2)^2)",
+    equivalent: "A*(cosh(k*x)-1)+C*pi/4*k*x*(besseli(0,k*x/2)^2+besseli(1,k*x/2)^2)",
     force: "2*E*(A*(a*cosh(k*a)-sinh(k*a)/k)+C*pi/4*a*(k*a*(besseli(0,k*a/2)^2+besseli(1,k*a/2)^2)-2*besseli(0,k*a/2)*besseli(1,k*a/2)))",
     pressure: None,
     parameters: PARAMETERS,
@@ -163,7 +163,7 @@ fn any_order(coefficient: &Expr, m: i64, order: &Expr, k: &Expr, kind: &Kind) ->
     let pair = |at: &Expr| [&own, &(&own + &two)].map(|twice| Expr::call(kind.bessel, [twice / &two, k * at / &two]));
     let epsilon = Expr::integer(kind.epsilon);
     let [first, second] = pair(&x);
-    let slope = match m {
+    let equivalent = match m {
         0 => first.power(2) / &two,
         _ => k * (first.power(2) - &epsilon * second.power(2)) / (Expr::integer(4) * order),
     };
@@ -173,5 +173,5 @@ fn any_order(coefficient: &Expr, m: i64, order: &Expr, k: &Expr, kind: &Kind) ->
         _ => &first * &second / &two,
     };
     let same = |factor: Expr, expr: Expr| Branches::endless(Pair::same(coefficient * Expr::pi() * factor * expr));
-    Some(Answer { slope: same(x, slope), force: same(a, force), pressure: None, conditions })
+    Some(Answer { equivalent: same(x, equivalent), force: same(a, force), pressure: None, conditions })
 }

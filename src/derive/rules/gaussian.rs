@@ -11,7 +11,7 @@ pub(super) static DECAY: Rule = Rule {
     id: "gaussian",
     title: "Gaussian times a power",
     pattern: "h*(1-exp(-r^2/w^2))",
-    slope: "2*h*x/w*dawson(x/w)",
+    equivalent: "2*h*x/w*dawson(x/w)",
     force: "2*E*h*((w+2*a^2/w)*dawson(a/w)-a)",
     pressure: None,
     parameters: &[Parameter { name: "h", lowest: 0.1, highest: 2.0 }, Parameter { name: "w", lowest: 0.5, highest: 3.0 }],
@@ -25,7 +25,7 @@ pub(super) static GROWTH: Rule = Rule {
     id: "gaussian-growth",
     title: "Growing Gaussian times a power",
     pattern: "h*(exp(r^2/w^2)-1)",
-    slope: "h*sqrt(pi)*x/w*exp(x^2/w^2)*erf(x/w)",
+    equivalent: "h*sqrt(pi)*x/w*exp(x^2/w^2)*erf(x/w)",
     force: "2*E*h*(a+sqrt(pi)/2*(2*a^2/w-w)*exp(a^2/w^2)*erf(a/w))",
     pressure: None,
     parameters: &[Parameter { name: "h", lowest: 0.1, highest: 2.0 }, Parameter { name: "w", lowest: 1.0, highest: 3.0 }],
@@ -39,7 +39,7 @@ pub(super) static SEGMENT: Rule = Rule {
     id: "gaussian-segment",
     title: "Gaussian from a radius outward or on a segment",
     pattern: "piecewise(0, r<b, h*(exp(-b^2/w^2)-exp(-r^2/w^2)))",
-    slope: "piecewise(0, x<b, 2*h*x/w*exp(-b^2/w^2)*dawson(sqrt(x^2-b^2)/w))",
+    equivalent: "piecewise(0, x<b, 2*h*x/w*exp(-b^2/w^2)*dawson(sqrt(x^2-b^2)/w))",
     force: "piecewise(0, a<b, 2*E*h*exp(-b^2/w^2)*((w+2*a^2/w)*dawson(sqrt(a^2-b^2)/w)-sqrt(a^2-b^2)))",
     pressure: None,
     parameters: &[
@@ -164,5 +164,5 @@ fn segment(term: &Term) -> Option<Answer> {
     let branches =
         |order: i64, factor: &Expr, at: &Expr| Branches::from_ends(&term.segment, |end| Pair::same(from(order, factor, at, end)));
     let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
-    Some(Answer { slope: branches(m, &x, &x), force: branches(m + 2, &Expr::one(), &a), pressure: None, conditions: Vec::new() })
+    Some(Answer { equivalent: branches(m, &x, &x), force: branches(m + 2, &Expr::one(), &a), pressure: None, conditions: Vec::new() })
 }

@@ -11,7 +11,7 @@ pub(super) static RULE: Rule = Rule {
     id: "gaussian-bessel",
     title: "Gaussian times the modified Bessel function of the same argument",
     pattern: "h*(1-exp(-r^2/(2*w^2))*besseli(0,r^2/(2*w^2)))",
-    slope: "h*(1-exp(-x^2/w^2))",
+    equivalent: "h*(1-exp(-x^2/w^2))",
     force: "E*h*(sqrt(pi)*w*erf(a/w)-2*a*exp(-a^2/w^2))",
     pressure: None,
     parameters: &[Parameter { name: "h", lowest: 0.1, highest: 2.0 }, Parameter { name: "w", lowest: 0.5, highest: 3.0 }],

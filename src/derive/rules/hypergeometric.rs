@@ -10,7 +10,7 @@ pub(super) static RULE: Rule = Rule {
     id: "hypergeometric",
     title: "Power times a hypergeometric kernel",
     pattern: "h*(1-(1-r^4/R^4)^p)",
-    slope: "h*(1-hyper([-p,1/2,1],[1/4,3/4],x^4/R^4))",
+    equivalent: "h*(1-hyper([-p,1/2,1],[1/4,3/4],x^4/R^4))",
     force: "2*E*h*a*(hyper([-p,1/2,1],[3/4,5/4],a^4/R^4)-hyper([-p,1/2,1],[1/4,3/4],a^4/R^4))",
     pressure: None,
     parameters: &[
@@ -46,5 +46,5 @@ fn apply(term: &Term) -> Option<Answer> {
         Branches::endless(Pair::same(Expr::sum(terms.collect::<Vec<_>>())))
     };
     let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
-    Some(Answer { slope: transformed(0, &x, &(&c * &x)), force: transformed(2, &a, &c), pressure: None, conditions })
+    Some(Answer { equivalent: transformed(0, &x, &(&c * &x)), force: transformed(2, &a, &c), pressure: None, conditions })
 }

@@ -12,7 +12,7 @@ pub(super) static RATIONAL: Rule = Rule {
     id: "linear-pole",
     title: "Rational with a pole at −w or beyond the contact",
     pattern: "h*ln(1+r/w)",
-    slope: "h*x*elliprc(x^2,w^2)",
+    equivalent: "h*x*elliprc(x^2,w^2)",
     force: "2*E*h*(a-pi*w/2+w^2*elliprc(a^2,w^2))",
     pressure: None,
     parameters: &[Parameter { name: "h", lowest: 0.1, highest: 4.0 }, Parameter { name: "w", lowest: 0.3, highest: 4.0 }],
@@ -26,7 +26,7 @@ pub(super) static ROOT: Rule = Rule {
     id: "linear-root",
     title: "Square root of a linear function",
     pattern: "h*(sqrt(1+r/w)-1)",
-    slope: "h*x/sqrt(w)*elliprf(w+x,2*w,2*(w+x))",
+    equivalent: "h*x/sqrt(w)*elliprf(w+x,2*w,2*(w+x))",
     force: "E*h/sqrt(w)*(2/3*sqrt(w)*a+8/9*w*a*(a+w)*elliprd(a+w,2*w,2*(a+w))+2/3*(a^2-2*w*a)*elliprf(a+w,2*w,2*(a+w)))",
     pressure: None,
     parameters: &[Parameter { name: "h", lowest: 0.1, highest: 4.0 }, Parameter { name: "w", lowest: 0.3, highest: 4.0 }],
@@ -56,7 +56,7 @@ fn apply(term: &Term, half: bool) -> Option<Answer> {
         let part = |e: &Expr, reach: Reach, form: Form| pole.moment(m, n, e, at, reach, form).over(&pole.basis(e, at, reach, form));
         branches(&term.segment.lower, term.segment.upper.as_ref(), factor, part)
     };
-    Some(Answer { slope: branches(m, &x, &(&c * &x)), force: branches(m + 2, &a, &c), pressure: None, conditions })
+    Some(Answer { equivalent: branches(m, &x, &(&c * &x)), force: branches(m + 2, &a, &c), pressure: None, conditions })
 }
 
 /// The integral from the lower end to the rim, and that between the ends as a difference.

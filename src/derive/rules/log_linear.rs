@@ -12,7 +12,7 @@ pub(super) static RULE: Rule = Rule {
     id: "log-linear",
     title: "Power times logarithm of a linear function",
     pattern: "C*((r^2-w^2)*ln(1+r/w)-r^2/2+w*r)",
-    slope: "2*C*x*((x^2-w^2)*elliprc(x^2,w^2)-x+pi*w/2)",
+    equivalent: "2*C*x*((x^2-w^2)*elliprc(x^2,w^2)-x+pi*w/2)",
     force: "4*E*C*((2*a^4-w^2*a^2-w^4)/3*elliprc(a^2,w^2)-a/9*(5*a^2+3*w^2)+pi*w/12*(3*a^2+2*w^2))",
     pressure: None,
     parameters: &[Parameter { name: "C", lowest: 0.1, highest: 4.0 }, Parameter { name: "w", lowest: 0.3, highest: 4.0 }],
@@ -42,7 +42,7 @@ fn apply(term: &Term) -> Option<Answer> {
         branches(&term.segment.lower, term.segment.upper.as_ref(), factor, part)
     };
     let c = &part.coefficient;
-    Some(Answer { slope: branches(m, &x, &(c * &x)), force: branches(m + 2, &a, c), pressure: None, conditions })
+    Some(Answer { equivalent: branches(m, &x, &(c * &x)), force: branches(m + 2, &a, c), pressure: None, conditions })
 }
 
 /// m Λ_m = (m−1) x² Λ_(m−2) + √(x²−e²) e^(m−1) ln q(e) + x² R_(m−1) − R_(m+1), R_j = ∫ r^j q′/q/√(x²−r²) dr.

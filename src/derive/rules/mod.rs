@@ -118,7 +118,7 @@ pub(super) const LARGEST: usize = 6_000;
 
 /// The rule for a term, with its result; rules that exceed the work limit or the size limit are skipped.
 pub fn answer(term: &Term) -> Option<(&'static Rule, Answer)> {
-    let is_short = |own: &Answer| own.slope.within.shown.size_up_to(LARGEST) < LARGEST;
+    let is_short = |own: &Answer| own.equivalent.within.shown.size_up_to(LARGEST) < LARGEST;
     let apply = |rule: &'static Rule| {
         let found = if work::is_exhausted() { None } else { work::share(LONGEST, || (rule.apply)(term)).flatten() };
         Some((rule, found.filter(is_short)?))

@@ -76,5 +76,5 @@ pub(super) fn answer(coefficient: &Expr, m: i64, moments: &Moments) -> Answer {
         };
         Branches::endless(Pair { shown: with(&(moments.shown)(order, &y)), evaluated: with(&(moments.members)(order, &y)) })
     };
-    Answer { slope: written(m, &x, &x), force: written(m + 2, &Expr::one(), &a), pressure: None, conditions: Vec::new() }
+    Answer { equivalent: written(m, &x, &x), force: written(m + 2, &Expr::one(), &a), pressure: None, conditions: Vec::new() }
 }

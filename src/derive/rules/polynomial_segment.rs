@@ -13,7 +13,7 @@ pub(super) static RULE: Rule = Rule {
     id: "polynomial-segment",
     title: "Polynomial on a segment",
     pattern: "piecewise(0, r<b, A*(r-b)+C*(r^2-b^2))",
-    slope: "piecewise(0, x<b, A*x*acos(b/x)+2*C*x*sqrt(x^2-b^2))",
+    equivalent: "piecewise(0, x<b, A*x*acos(b/x)+2*C*x*sqrt(x^2-b^2))",
     force: "piecewise(0, a<b, E*A*(a^2*acos(b/a)+b*sqrt(a^2-b^2))+4/3*E*C*(2*a^2+b^2)*sqrt(a^2-b^2))",
     pressure: None,
     parameters: &[
@@ -47,7 +47,7 @@ fn apply(term: &Term) -> Option<Answer> {
     // Coefficients of one sign make all parts of the open moments positive: nothing cancels, and no integral is summed.
     let plain = coefficients.len() <= SHORT && [Sign::Positive, Sign::Negative].iter().any(|sign| have_sign(&coefficients, *sign));
     let open = |shift: usize, at: &Expr| &content * moments(&reduced, shift, lower, None, at, &stable_arc(lower, at));
-    let slope = |end: Option<&Expr>| Pair {
+    let equivalent = |end: Option<&Expr>| Pair {
         shown: &content * &x * moments(&reduced, 0, lower, end, &x, &shown_arc(lower, end, &x)),
         evaluated: match end {
             None if plain => &x * open(0, &x),
@@ -62,7 +62,7 @@ fn apply(term: &Term) -> Option<Answer> {
         },
     };
     Some(Answer {
-        slope: Branches { within: slope(None), beyond: slope(upper) },
+        equivalent: Branches { within: equivalent(None), beyond: equivalent(upper) },
         force: Branches { within: force(None), beyond: force(upper) },
         pressure: pressure(&coefficients, lower, upper),
         conditions: Vec::new(),

@@ -10,7 +10,7 @@ pub(super) static RULE: Rule = Rule {
     id: "heß-power",
     title: "Power of the radius",
     pattern: "C*r^n",
-    slope: "C*sqrt(pi)*gamma(n/2+1)/gamma(n/2+1/2)*x^n",
+    equivalent: "C*sqrt(pi)*gamma(n/2+1)/gamma(n/2+1/2)*x^n",
     force: "2*E*C*sqrt(pi)*gamma(n/2+1)/gamma(n/2+1/2)*n/(n+1)*a^(n+1)",
     pressure: Some("E/pi*C*n*sqrt(pi)*gamma(n/2+1)/gamma(n/2+1/2)*a^(n-2)*sqrt(a^2-r^2)*hyp2f1(1,1-n/2,3/2,1-r^2/a^2)"),
     parameters: &[Parameter { name: "C", lowest: 0.1, highest: 4.0 }, Parameter { name: "n", lowest: 0.2, highest: 9.0 }],
@@ -33,12 +33,12 @@ fn apply(term: &Term) -> Option<Answer> {
     let conditions = reading::positive(&n)?;
     let scaled = &part.coefficient * kappa(&n);
     let (x, a, r) = (Expr::symbol("x"), Expr::symbol("a"), Expr::symbol("r"));
-    let slope = &scaled / &n * x.pow(&n);
+    let equivalent = &scaled / &n * x.pow(&n);
     let next = &n + Expr::one();
     let force = &scaled / &next * a.pow(&next);
     let pressure = &scaled * Expr::call("pressure_power", [&n - Expr::one(), r, a]);
     Some(Answer {
-        slope: Branches::endless(Pair::same(slope)),
+        equivalent: Branches::endless(Pair::same(equivalent)),
         force: Branches::endless(Pair::same(force)),
         pressure: Some(Branches::endless(Pair::same(pressure))),
         conditions,

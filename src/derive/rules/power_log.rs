@@ -10,7 +10,7 @@ pub(super) static RULE: Rule = Rule {
     id: "power-log",
     title: "Power times logarithm",
     pattern: "C*r^n*(ln(r)-1/n)",
-    slope: "C*sqrt(pi)*gamma(n/2+1)/gamma(n/2+1/2)*x^n*(ln(x)+(digamma(n/2+1)-digamma(n/2+1/2))/2-1/n)",
+    equivalent: "C*sqrt(pi)*gamma(n/2+1)/gamma(n/2+1/2)*x^n*(ln(x)+(digamma(n/2+1)-digamma(n/2+1/2))/2-1/n)",
     force: "2*E*C*sqrt(pi)*gamma(n/2+1)/gamma(n/2+1/2)*n/(n+1)*a^(n+1)*(ln(a)+(digamma(n/2+1)-digamma(n/2+1/2))/2-1/(n+1))",
     pressure: None,
     parameters: &[Parameter { name: "C", lowest: 0.1, highest: 4.0 }, Parameter { name: "n", lowest: 0.2, highest: 9.0 }],
@@ -24,7 +24,7 @@ pub(super) static ON_SEGMENT: Rule = Rule {
     id: "power-log-segment",
     title: "Power times logarithm on a segment",
     pattern: "piecewise(0, r<b, C*(r^2*(ln(r)-1/2)-b^2*(ln(b)-1/2)))",
-    slope: "piecewise(0, x<b, 2*C*x*(sqrt(x^2-b^2)*(ln(b)-1)+x*acosh(x/b)))",
+    equivalent: "piecewise(0, x<b, 2*C*x*(sqrt(x^2-b^2)*(ln(b)-1)+x*acosh(x/b)))",
     force: "piecewise(0, a<b, 4/9*E*C*(sqrt(a^2-b^2)*(3*(2*a^2+b^2)*ln(b)-b^2-5*a^2)+6*a^3*acosh(a/b)))",
     pressure: None,
     parameters: &[Parameter { name: "C", lowest: 0.1, highest: 4.0 }, Parameter { name: "b", lowest: 0.2, highest: 2.0 }],
@@ -69,7 +69,7 @@ fn whole_axis(term: &Term) -> Option<Answer> {
         }
     };
     Some(Answer {
-        slope: Branches::endless(pair(&x, m, &n)),
+        equivalent: Branches::endless(pair(&x, m, &n)),
         force: Branches::endless(pair(&a, &(m + Expr::integer(2)), &next)),
         pressure: whole.filter(|_| k == 1).map(|m| Branches::endless(pressure(c, m))),
         conditions,
@@ -233,7 +233,7 @@ fn on_segment(term: &Term) -> Option<Answer> {
         Pair { shown: form(Form::Shown), evaluated: form(Form::Evaluated) }
     };
     let branches = |m: i64, at: &Expr, factor: &Expr| Branches::from_ends(&term.segment, |end| from(m, end, at)).scaled(factor);
-    Some(Answer { slope: branches(m, &x, &(c * &x)), force: branches(m + 2, &a, c), pressure: None, conditions: Vec::new() })
+    Some(Answer { equivalent: branches(m, &x, &(c * &x)), force: branches(m + 2, &a, c), pressure: None, conditions: Vec::new() })
 }
 
 /// √(x²−b²), √(x²−b²) ln b, and what the recurrences start from.

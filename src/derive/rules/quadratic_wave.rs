@@ -12,7 +12,7 @@ pub(super) static WHOLE: Rule = Rule {
     id: "quadratic-wave",
     title: "Sine or cosine of the squared radius times a power",
     pattern: "A*sin(k*r^2)+B*(1-cos(k*r^2))",
-    slope: "sqrt(2*pi*k)*x*(A*(cos(k*x^2)*fresnelc(x*sqrt(2*k/pi))+sin(k*x^2)*fresnels(x*sqrt(2*k/pi)))\
+    equivalent: "sqrt(2*pi*k)*x*(A*(cos(k*x^2)*fresnelc(x*sqrt(2*k/pi))+sin(k*x^2)*fresnels(x*sqrt(2*k/pi)))\
             +B*(sin(k*x^2)*fresnelc(x*sqrt(2*k/pi))-cos(k*x^2)*fresnels(x*sqrt(2*k/pi))))",
     force: "2*E*(A*(sqrt(2*pi*k)*a^2*(cos(k*a^2)*fresnelc(a*sqrt(2*k/pi))+sin(k*a^2)*fresnels(a*sqrt(2*k/pi)))\
             -sqrt(pi/(2*k))*(sin(k*a^2)*fresnelc(a*sqrt(2*k/pi))-cos(k*a^2)*fresnels(a*sqrt(2*k/pi))))\
@@ -34,7 +34,7 @@ pub(super) static SEGMENT: Rule = Rule {
     id: "quadratic-wave-segment",
     title: "Sine or cosine of the squared radius from a radius outward or on a segment",
     pattern: "piecewise(0, r<b, h*(sin(k*r^2)-sin(k*b^2)))",
-    slope: "piecewise(0, x<b, h*sqrt(2*pi*k)*x*(cos(k*x^2)*fresnelc(sqrt(x^2-b^2)*sqrt(2*k/pi))+sin(k*x^2)*fresnels(sqrt(x^2-b^2)*sqrt(2*k/pi))))",
+    equivalent: "piecewise(0, x<b, h*sqrt(2*pi*k)*x*(cos(k*x^2)*fresnelc(sqrt(x^2-b^2)*sqrt(2*k/pi))+sin(k*x^2)*fresnels(sqrt(x^2-b^2)*sqrt(2*k/pi))))",
     force: "piecewise(0, a<b, 2*E*h*(sqrt(2*pi*k)*a^2*(cos(k*a^2)*fresnelc(sqrt(a^2-b^2)*sqrt(2*k/pi))+sin(k*a^2)*fresnels(sqrt(a^2-b^2)*sqrt(2*k/pi)))\
             -sqrt(pi/(2*k))*(sin(k*a^2)*fresnelc(sqrt(a^2-b^2)*sqrt(2*k/pi))-cos(k*a^2)*fresnels(sqrt(a^2-b^2)*sqrt(2*k/pi)))+sin(k*b^2)*sqrt(a^2-b^2)))",
     pressure: None,
@@ -92,7 +92,7 @@ fn segment(term: &Term) -> Option<Answer> {
     let branches =
         |order: i64, factor: &Expr, at: &Expr| Branches::from_ends(&term.segment, |end| Pair::same(from(order, factor, at, end)));
     let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
-    Some(Answer { slope: branches(m, &x, &x), force: branches(m + 2, &Expr::one(), &a), pressure: None, conditions: Vec::new() })
+    Some(Answer { equivalent: branches(m, &x, &x), force: branches(m + 2, &Expr::one(), &a), pressure: None, conditions: Vec::new() })
 }
 
 /// Real or imaginary part of J_m = ∫ u^m e^(iu²)/√(y²−u²) du, from J_0 and J_2 or J_1 by

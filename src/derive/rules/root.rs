@@ -9,7 +9,7 @@ pub(super) static SPHERE: Rule = Rule {
     id: "sphere",
     title: "Sphere and ellipsoid of revolution",
     pattern: "h*(1-sqrt(1-r^2/R^2))",
-    slope: "h*x/R*atanh(x/R)",
+    equivalent: "h*x/R*atanh(x/R)",
     force: "E*h/R*((R^2+a^2)*atanh(a/R)-a*R)",
     pressure: Some(
         "E*h/(pi*R)*((a+sqrt(a^2-r^2))/(R+sqrt(R^2-r^2))*hyper([1/2,1/2,1],[3/2,3/2],((a+sqrt(a^2-r^2))/(R+sqrt(R^2-r^2)))^2)\
@@ -27,7 +27,7 @@ pub(super) static WORN_SPHERE: Rule = Rule {
     id: "worn-sphere",
     title: "Sphere or ellipsoid from a radius outward",
     pattern: "piecewise(0, r<b, h*(sqrt(R^2-b^2)-sqrt(R^2-r^2)))",
-    slope: "piecewise(0, x<b, h*x*atanh(sqrt(x^2-b^2)/sqrt(R^2-b^2)))",
+    equivalent: "piecewise(0, x<b, h*x*atanh(sqrt(x^2-b^2)/sqrt(R^2-b^2)))",
     force: "piecewise(0, a<b, E*h*((R^2+a^2)*atanh(sqrt(a^2-b^2)/sqrt(R^2-b^2))-sqrt(a^2-b^2)*sqrt(R^2-b^2)))",
     pressure: None,
     parameters: &[
@@ -45,7 +45,7 @@ pub(super) static HYPERBOLOID: Rule = Rule {
     id: "hyperboloid",
     title: "Hyperboloid of revolution",
     pattern: "h*(sqrt(1+r^2/b^2)-1)",
-    slope: "h*x/b*atan(x/b)",
+    equivalent: "h*x/b*atan(x/b)",
     force: "E*h/b*((a^2-b^2)*atan(a/b)+a*b)",
     pressure: Some(
         "E*h/(pi*b)*((a+sqrt(a^2-r^2))/(b+sqrt(b^2+r^2))*hyper([1/2,1/2,1],[3/2,3/2],-((a+sqrt(a^2-r^2))/(b+sqrt(b^2+r^2)))^2)\
@@ -63,7 +63,7 @@ pub(super) static WORN_HYPERBOLOID: Rule = Rule {
     id: "worn-hyperboloid",
     title: "Hyperboloid from a radius outward",
     pattern: "piecewise(0, r<c, h*(sqrt(b^2+r^2)-sqrt(b^2+c^2)))",
-    slope: "piecewise(0, x<c, h*x*atan(sqrt(x^2-c^2)/sqrt(b^2+c^2)))",
+    equivalent: "piecewise(0, x<c, h*x*atan(sqrt(x^2-c^2)/sqrt(b^2+c^2)))",
     force: "piecewise(0, a<c, E*h*((a^2-b^2)*atan(sqrt(a^2-c^2)/sqrt(b^2+c^2))+sqrt(a^2-c^2)*sqrt(b^2+c^2)))",
     pressure: None,
     parameters: &[
@@ -84,18 +84,23 @@ fn smooth(term: &Term, branch: Sign) -> Option<Answer> {
     }
     let Root { coefficient, radius, conditions } = recognise(term, branch)?;
     let (a, r) = (Expr::symbol("a"), Expr::symbol("r"));
-    let (slope, force) = computed(branch, &radius);
+    let (equivalent, force) = computed(branch, &radius);
     let pressure = if branch == Sign::Negative { "sphere_pressure" } else { "hyperboloid_pressure" };
     let pair = |expr: Expr| Branches::endless(Pair::same(&coefficient * expr));
-    Some(Answer { slope: pair(slope), force: pair(force), pressure: Some(pair(Expr::call(pressure, [r, a, radius.clone()]))), conditions })
+    Some(Answer {
+        equivalent: pair(equivalent),
+        force: pair(force),
+        pressure: Some(pair(Expr::call(pressure, [r, a, radius.clone()]))),
+        conditions,
+    })
 }
 
 /// g and F/(2E*) of f′ = r/√(R² ± r²) from the axis on, in forms without cancellation.
 pub(super) fn computed(branch: Sign, radius: &Expr) -> (Expr, Expr) {
     let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
     if branch == Sign::Negative {
-        let slope = &x * Expr::call("artanh_ratio", [x.clone(), radius.clone()]);
-        return (slope, Expr::call("sphere_force", [a, radius.clone()]));
+        let equivalent = &x * Expr::call("artanh_ratio", [x.clone(), radius.clone()]);
+        return (equivalent, Expr::call("sphere_force", [a, radius.clone()]));
     }
     (&x * Expr::call("atan", [&x / radius]), Expr::call("hyperboloid_force", [a, radius.clone()]))
 }
@@ -107,14 +112,14 @@ fn worn(term: &Term, branch: Sign) -> Option<Answer> {
     }
     let Root { coefficient, radius, conditions } = recognise(term, branch)?;
     let (x, a, b) = (Expr::symbol("x"), Expr::symbol("a"), term.segment.lower.clone());
-    let (slope, force) = if branch == Sign::Negative {
+    let (equivalent, force) = if branch == Sign::Negative {
         ("worn_sphere_slope", "worn_sphere_force")
     } else {
         ("worn_hyperboloid_slope", "worn_hyperboloid_force")
     };
     let pair = |expr: Expr| Branches::endless(Pair::same(&coefficient * expr));
     Some(Answer {
-        slope: pair(&x * Expr::call(slope, [b.clone(), x.clone(), radius.clone()])),
+        equivalent: pair(&x * Expr::call(equivalent, [b.clone(), x.clone(), radius.clone()])),
         force: pair(Expr::call(force, [b, a, radius.clone()])),
         pressure: None,
         conditions,

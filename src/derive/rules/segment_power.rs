@@ -10,7 +10,7 @@ pub(super) static NEGATIVE: Rule = Rule {
     id: "negative-power-segment",
     title: "Negative power on a segment",
     pattern: "piecewise(0, r<b, A*ln(r/b)+C*(1/b-1/r))",
-    slope: "piecewise(0, x<b, A*acosh(x/b)+C*sqrt(x^2-b^2)/(b*x))",
+    equivalent: "piecewise(0, x<b, A*acosh(x/b)+C*sqrt(x^2-b^2)/(b*x))",
     force: "piecewise(0, a<b, 2*E*(A*sqrt(a^2-b^2)+C*acos(b/a)))",
     pressure: Some(
         "piecewise(0, a<b, E/pi*(A*ellipf(asin(sqrt((a^2-max(b,r)^2)/(a^2-min(b,r)^2))),(min(b,r)/max(b,r))^2)/max(b,r)\
@@ -33,7 +33,7 @@ pub(super) static REAL: Rule = Rule {
     id: "real-power-segment",
     title: "Real power on a segment",
     pattern: "piecewise(0, r<b, C*(r^n-b^n))",
-    slope: "piecewise(0, x<b, C*n/2*x^n*betainc(n/2,1/2,b^2/x^2,1))",
+    equivalent: "piecewise(0, x<b, C*n/2*x^n*betainc(n/2,1/2,b^2/x^2,1))",
     force: "piecewise(0, a<b, E*C*n*a^(n+1)*betainc(n/2+1,1/2,b^2/a^2,1))",
     pressure: None,
     parameters: &[
@@ -64,7 +64,7 @@ fn negative(term: &Term) -> Option<Answer> {
     };
     let c = &part.coefficient;
     let pressure = pressure_from(m, &Expr::symbol("r"), &a).map(|from| Branches::from_ends(&term.segment, from).scaled(c));
-    Some(Answer { slope: pieces(m, &x, &(c * &x)), force: pieces(m + 2, &a, c), pressure, conditions: Vec::new() })
+    Some(Answer { equivalent: pieces(m, &x, &(c * &x)), force: pieces(m + 2, &a, c), pressure, conditions: Vec::new() })
 }
 
 /// ∫ g′/√(x²−r²) dx for f′ = r^m from e on: g′ is 1/√(x²−e²) for m = −1, e/(x² √(x²−e²)) for m = −2.
@@ -143,7 +143,7 @@ fn real(term: &Term) -> Option<Answer> {
         Branches { within, beyond }
     };
     let c = &part.coefficient;
-    let slope = integral(&n, &x, &(c * &x));
+    let equivalent = integral(&n, &x, &(c * &x));
     let force = integral(&(&n + Expr::integer(2)), &a, c);
-    Some(Answer { slope, force, pressure: None, conditions })
+    Some(Answer { equivalent, force, pressure: None, conditions })
 }

@@ -9,7 +9,7 @@ pub(super) static RULE: Rule = Rule {
     id: "shifted-power",
     title: "Power of the distance to a radius",
     pattern: "piecewise(0, r<b, C*(r-b)^n)",
-    slope: "piecewise(0, x<b, C*n*sqrt(pi)*gamma(n)/gamma(n+1/2)*sqrt(x/2)*(x-b)^(n-1/2)*hyp2f1(1/2,1/2,n+1/2,(x-b)/(2*x)))",
+    equivalent: "piecewise(0, x<b, C*n*sqrt(pi)*gamma(n)/gamma(n+1/2)*sqrt(x/2)*(x-b)^(n-1/2)*hyp2f1(1/2,1/2,n+1/2,(x-b)/(2*x)))",
     force: "piecewise(0, a<b, 2*E*C*n*sqrt(pi)*gamma(n)/gamma(n+1/2)/sqrt(2*a)*(a-b)^(n-1/2)*(b^2*hyp2f1(1/2,1/2,n+1/2,(a-b)/(2*a))\
             +2*b*(a-b)*n/(n+1/2)*hyp2f1(1/2,1/2,n+3/2,(a-b)/(2*a))\
             +(a-b)^2*n*(n+1)/((n+1/2)*(n+3/2))*hyp2f1(1/2,1/2,n+5/2,(a-b)/(2*a))))",
@@ -55,7 +55,7 @@ fn apply(term: &Term) -> Option<Answer> {
         Expr::sum(terms)
     };
     Some(Answer {
-        slope: Branches::endless(Pair::same(moment(m, &x, &(&c * &x)))),
+        equivalent: Branches::endless(Pair::same(moment(m, &x, &(&c * &x)))),
         force: Branches::endless(Pair::same(moment(m + 2, &a, &c))),
         pressure: None,
         conditions,

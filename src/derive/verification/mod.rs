@@ -104,7 +104,7 @@ impl Gate {
     /// Compares a solved term with quadrature and gives up what is wrong.
     pub fn judge(&self, solved: &mut SolvedTerm, found: &mut Verification) {
         let Some((rule, answer)) = &solved.answer else { return };
-        let (mut slope, mut force, mut pressure) = (Verdict::Unknown, Verdict::Unknown, Verdict::Unknown);
+        let (mut f_prime, mut force, mut pressure) = (Verdict::Unknown, Verdict::Unknown, Verdict::Unknown);
         // An answer that demands more of the parameters than the profile is compared where that holds.
         let own = if self.places.iter().all(|place| place.admits(&answer.conditions)) {
             None
@@ -120,14 +120,14 @@ impl Gate {
         let subject = if places.is_empty() { None } else { Subject::new(&solved.term, answer, &self.names) };
         for (place, subject) in places.iter().zip(subject.iter().cycle()) {
             let own = work::share(LONGEST, || place.compare(subject)).flatten().unwrap_or([Verdict::Unknown; 2]);
-            (slope, force) = (slope.or(own[0]), force.or(own[1]));
+            (f_prime, force) = (f_prime.or(own[0]), force.or(own[1]));
             // The closed p is compared with an integral over the closed g.
             if own[0] == Verdict::Agrees {
                 let own = work::share(LONGEST, || place.compare_pressure(subject)).flatten();
                 pressure = pressure.or(own.unwrap_or(Verdict::Unknown));
             }
         }
-        for (verdict, quantity) in [(slope, "g"), (force, "F")] {
+        for (verdict, quantity) in [(f_prime, "g"), (force, "F")] {
             if verdict == Verdict::Wrong {
                 found.demoted.push(Demotion { rule: rule.id, quantity });
                 solved.answer = None;
@@ -141,9 +141,9 @@ impl Gate {
             }
         }
         // If g cannot be compared, as for r^0.001, whose slope is too steep at the axis for quadrature, F is not compared either.
-        let force = if slope == Verdict::Unknown { Verdict::Unknown } else { force };
+        let force = if f_prime == Verdict::Unknown { Verdict::Unknown } else { force };
         let agrees = |verdict| verdict == Verdict::Agrees;
-        solved.agreement = Agreement { slope: agrees(slope), force: agrees(force), pressure: agrees(pressure) };
-        if agrees(slope) && agrees(force) { found.compared += 1 } else { found.not_compared += 1 }
+        solved.agreement = Agreement { equivalent: agrees(f_prime), force: agrees(force), pressure: agrees(pressure) };
+        if agrees(f_prime) && agrees(force) { found.compared += 1 } else { found.not_compared += 1 }
     }
 }

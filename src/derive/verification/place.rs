@@ -112,17 +112,17 @@ impl Place {
         let of = |interval: usize| {
             let own = |chain: &SolvedChain| {
                 let place = if chain.breakpoints.is_empty() { 0 } else { interval };
-                chain.intervals.get(place).map(|own| own.terms.iter().map(|solved| solved.term.slope()).collect::<Vec<_>>())
+                chain.intervals.get(place).map(|own| own.terms.iter().map(|solved| solved.term.f_prime()).collect::<Vec<_>>())
             };
             solved.iter().filter_map(own).flatten().collect::<Vec<_>>()
         };
-        chain.intervals().zip(slopes).enumerate().all(|(index, ((lower, upper, _), slope))| {
+        chain.intervals().zip(slopes).enumerate().all(|(index, ((lower, upper, _), f_prime))| {
             let terms = of(index);
-            if Expr::sum(terms.iter().cloned()) == *slope {
+            if Expr::sum(terms.iter().cloned()) == *f_prime {
                 return true;
             }
             let Some(radii) = self.radii(&Segment { lower, upper: upper.cloned() }) else { return true };
-            let mut outputs = vec![slope.clone()];
+            let mut outputs = vec![f_prime.clone()];
             outputs.extend(terms);
             let Some(tape) = compile(&outputs, &["r"], &self.names) else { return true };
             // This piece equals f only below its upper end.
@@ -150,7 +150,9 @@ impl Place {
                 break;
             }
             let own = if part == Part::Beyond { subject.beyond.as_ref()? } else { &subject.within };
-            let Some(values) = self.bounded(&own.slope_and_force, &[x, x]) else { if part == Part::Far { continue } else { return None } };
+            let Some(values) = self.bounded(&own.equivalent_and_force, &[x, x]) else {
+                if part == Part::Far { continue } else { return None }
+            };
             let integrals = self.integrals(&subject.tape, lower, upper, x);
             for (quantity, (verdict, conclusive)) in verdicts.iter_mut().zip(&mut conclusive).enumerate() {
                 let (Some(evaluated), Some(shown), Some((value, size))) =
@@ -205,10 +207,10 @@ impl Place {
                 if let Some(first) = inputs.first_mut() {
                     *first = r;
                 }
-                let slope = tape.run(&mut FloatAlgebra, &inputs, &mut slots).unwrap_or(f64::NAN) * weight * (to - from);
+                let f_prime = tape.run(&mut FloatAlgebra, &inputs, &mut slots).unwrap_or(f64::NAN) * weight * (to - from);
                 let mut grows = false;
                 for ((sum, size), factor) in found.iter_mut().zip([x, r * r]) {
-                    let part = slope * factor;
+                    let part = f_prime * factor;
                     *sum += part;
                     *size += part.abs();
                     // The comparison is written so that NaN ends the loop.
@@ -234,7 +236,7 @@ impl Place {
             subject,
             x,
             |profile| {
-                if quantity == 0 { profile.slope(x, TOLERANCE).ok() } else { profile.force(x, TOLERANCE).ok() }
+                if quantity == 0 { profile.equivalent(x, TOLERANCE).ok() } else { profile.force(x, TOLERANCE).ok() }
             },
         )
     }
@@ -243,7 +245,7 @@ impl Place {
     fn proven_by(&self, subject: &Subject<'_>, x: f64, number: impl Fn(&NumericProfile) -> Option<Estimate>) -> Option<Bounded> {
         let from = |lower: &Expr| {
             let endless = Segment { lower: lower.clone(), upper: None };
-            let profile = NumericProfile::new(&[(endless, subject.slope.clone())], &self.bindings).ok()?;
+            let profile = NumericProfile::new(&[(endless, subject.f_prime.clone())], &self.bindings).ok()?;
             let found = number(&profile)?;
             (found.bound == Bound::Proven && found.error.is_finite()).then(|| found.bounded())
         };
@@ -273,7 +275,7 @@ impl Place {
             let (below, above) = (upper * (1.0 - 1e-12), upper * (1.0 + 1e-12));
             let r = 0.57 * begin;
             // P is continuous at the end of the segment except for a jump of g.
-            let jump = (self.plain(&beyond.slope, above)? - self.plain(&within.slope, below)?) / leg(upper, r);
+            let jump = (self.plain(&beyond.equivalent, above)? - self.plain(&within.equivalent, below)?) / leg(upper, r);
             let before = self.bounded(within.pressure.as_ref()?, &[r, below])?;
             let after = self.bounded(beyond.pressure.as_ref()?, &[r, above])?;
             let start = after.into_iter().zip(before).map(|(after, before)| (after, before.value + jump)).collect();
@@ -292,7 +294,7 @@ impl Place {
         subject: &Subject<'_>,
     ) -> Option<Verdict> {
         let root = |x: f64| leg(x, r);
-        let g = |x: f64| self.plain(&forms.slope, x);
+        let g = |x: f64| self.plain(&forms.equivalent, x);
         let mut rise = g(end)? / root(end) - g(begin)? / root(begin);
         for (u, weight) in RULE.iter().flatten().filter(|(_, weight)| *weight > f64::EPSILON) {
             let x = begin + (end - begin) * u;
@@ -332,7 +334,7 @@ impl Place {
 
 /// A solved term, compiled over the parameters of its profile.
 pub(super) struct Subject<'a> {
-    slope: Expr,
+    f_prime: Expr,
     segment: &'a Segment,
     tape: Tape,
     within: Side,
@@ -342,9 +344,9 @@ pub(super) struct Subject<'a> {
 /// The closed forms on one side of the end of a segment.
 struct Side {
     /// g, F/(2E*) as evaluated, then as shown, over x and a.
-    slope_and_force: Tape,
+    equivalent_and_force: Tape,
     /// g as evaluated, over x.
-    slope: Tape,
+    equivalent: Tape,
     /// p·π/E* as evaluated, then as shown, over r and a; `None` if it remains an integral.
     pressure: Option<Tape>,
 }
@@ -352,11 +354,11 @@ struct Side {
 impl<'a> Subject<'a> {
     /// Compiles f′ and the solution of a term; `None` if a symbol is not a parameter of the profile.
     pub(super) fn new(term: &'a Term, answer: &Answer, names: &[Symbol]) -> Option<Self> {
-        let side = |slope: &Pair, force: &Pair, pressure: Option<&Pair>| {
-            let both = [&slope.evaluated, &force.evaluated, &slope.shown, &force.shown].map(Expr::clone);
+        let side = |equivalent: &Pair, force: &Pair, pressure: Option<&Pair>| {
+            let both = [&equivalent.evaluated, &force.evaluated, &equivalent.shown, &force.shown].map(Expr::clone);
             Some(Side {
-                slope_and_force: compile(&both, &["x", "a"], names)?,
-                slope: compile(std::slice::from_ref(&slope.evaluated), &["x"], names)?,
+                equivalent_and_force: compile(&both, &["x", "a"], names)?,
+                equivalent: compile(std::slice::from_ref(&equivalent.evaluated), &["x"], names)?,
                 pressure: match pressure {
                     Some(own) => Some(compile(&[own.evaluated.clone(), own.shown.clone()], &["r", "a"], names)?),
                     None => None,
@@ -364,14 +366,14 @@ impl<'a> Subject<'a> {
             })
         };
         let (own, pressure) = (answer, answer.pressure.as_ref());
-        let slope = term.slope();
+        let f_prime = term.f_prime();
         Some(Self {
-            tape: compile(std::slice::from_ref(&slope), &["r"], names)?,
-            slope,
+            tape: compile(std::slice::from_ref(&f_prime), &["r"], names)?,
+            f_prime,
             segment: &term.segment,
-            within: side(&own.slope.within, &own.force.within, pressure.map(|own| &own.within))?,
+            within: side(&own.equivalent.within, &own.force.within, pressure.map(|own| &own.within))?,
             beyond: match &term.segment.upper {
-                Some(_) => Some(side(&own.slope.beyond, &own.force.beyond, pressure.map(|own| &own.beyond))?),
+                Some(_) => Some(side(&own.equivalent.beyond, &own.force.beyond, pressure.map(|own| &own.beyond))?),
                 None => None,
             },
         })

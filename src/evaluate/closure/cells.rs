@@ -72,7 +72,7 @@ struct Doubling {
 }
 
 /// Returns a bound on the slope at r that noise of this size can hide.
-pub(super) fn hidden_slope(noise: f64, r: f64) -> f64 {
+pub(super) fn hidden_f_prime(noise: f64, r: f64) -> f64 {
     30.0 * noise / r
 }
 
@@ -121,9 +121,9 @@ impl Cells {
     }
 
     /// Returns a bound on the slope at r of steps of φ that were taken for noise.
-    pub(super) fn hidden_slope(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
+    pub(super) fn hidden_f_prime(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
         let below = |own: &Doubling| own.steps.iter().filter(|(from, _)| *from <= AHEAD * r).map(|(_, noise)| noise).sum();
-        self.doubling(r, phi).map_or(0.0, |own| hidden_slope(below(own), r))
+        self.doubling(r, phi).map_or(0.0, |own| hidden_f_prime(below(own), r))
     }
 
     /// Returns true if `other` agrees with the slopes of all cells between the powers of two around r, within both bounds; false

@@ -26,8 +26,8 @@ pub enum Parity {
 /// | constructor | f′ | f″, for the pressure |
 /// |---|---|---|
 /// | [`complex`](Self::complex) | complex step, as accurate as f | interpolation of f′: two to four digits are lost |
-/// | [`with_slopes`](Self::with_slopes) | given | given |
-/// | [`with_slope`](Self::with_slope) | given | interpolation of f′, as above |
+/// | [`with_f_primes`](Self::with_f_primes) | given | given |
+/// | [`with_f_prime`](Self::with_f_prime) | given | interpolation of f′, as above |
 /// | [`real`](Self::real) | interpolation of f: two to four digits are lost | interpolation: five to seven digits are lost |
 ///
 /// The loss by interpolation is estimated from the coefficients and included in the error of every result.
@@ -79,22 +79,22 @@ impl Closure {
     ///
     /// ```
     /// use sneddon::transform::{Closure, Quantities};
-    /// let hertz = Closure::with_slope(|r| r * r / 4.0, |r| r / 2.0).profile().unwrap();
-    /// let g = hertz.slope(3.0).unwrap().estimate;
+    /// let hertz = Closure::with_f_prime(|r| r * r / 4.0, |r| r / 2.0).profile().unwrap();
+    /// let g = hertz.equivalent(3.0).unwrap().estimate;
     /// assert!((g.value - 4.5).abs() <= g.error && g.error < 1e-11);
     /// ```
-    pub fn with_slope(f: impl Fn(f64) -> f64 + Send + Sync + 'static, slope: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Self {
-        Self::new(Function::Slope(Arc::new(f), Arc::new(slope)))
+    pub fn with_f_prime(f: impl Fn(f64) -> f64 + Send + Sync + 'static, f_prime: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Self {
+        Self::new(Function::FPrime(Arc::new(f), Arc::new(f_prime)))
     }
 
     /// f, f′ and f″.
-    pub fn with_slopes(
+    pub fn with_f_primes(
         f: impl Fn(f64) -> f64 + Send + Sync + 'static,
-        slope: impl Fn(f64) -> f64 + Send + Sync + 'static,
+        f_prime: impl Fn(f64) -> f64 + Send + Sync + 'static,
         second: impl Fn(f64) -> f64 + Send + Sync + 'static,
     ) -> Self {
-        let (f, slope): (Real, Real) = (Arc::new(f), Arc::new(slope));
-        Self::new(Function::Bend(f, slope, Arc::new(second)))
+        let (f, f_prime): (Real, Real) = (Arc::new(f), Arc::new(f_prime));
+        Self::new(Function::Bend(f, f_prime, Arc::new(second)))
     }
 
     /// f alone: f′ by interpolation, with two to four digits lost.

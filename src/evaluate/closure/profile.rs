@@ -8,7 +8,7 @@ use crate::evaluate::evaluator::Reading;
 use crate::evaluate::quantities::Quantities;
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::NumericProfile;
-use crate::integrate::source::slope::SlopeSource;
+use crate::integrate::source::f_prime::FPrimeSource;
 use crate::num::{Bounded, Estimate};
 use std::sync::Arc;
 
@@ -41,7 +41,7 @@ impl ClosureProfile {
             is_smooth |= UNITS.into_iter().any(|unit| piece.begins_smoothly(libm::scalbn(PARTS[0] * scale, unit)));
             let piece = Arc::new(piece);
             first.get_or_insert_with(|| Arc::clone(&piece));
-            let piece: Arc<dyn SlopeSource> = piece;
+            let piece: Arc<dyn FPrimeSource> = piece;
             segments.push((lower, upper.is_finite().then_some(upper), piece));
         }
         for b in &closure.breakpoints {
@@ -106,7 +106,7 @@ impl ClosureProfile {
 ///
 /// An unbounded piece may have an undeclared end, like a sphere; the part is halved until the closure has values there.
 fn examine(function: &Function, lower: f64, upper: f64) -> Result<f64, TransformError> {
-    let is_defined = |r: f64| function.height(r).is_finite() && function.slope(r).is_none_or(f64::is_finite);
+    let is_defined = |r: f64| function.height(r).is_finite() && function.f_prime(r).is_none_or(f64::is_finite);
     let mut scale = if upper.is_finite() { upper - lower } else { lower.max(1.0) };
     while let Some(radius) = PARTS.map(|part| lower + part * scale).into_iter().find(|r| !is_defined(*r)) {
         scale *= 0.5;
@@ -159,9 +159,9 @@ const LOST: f64 = 0.5;
 const UNSURE: f64 = 1e-5;
 
 impl Quantities for ClosureProfile {
-    fn slope(&self, x: f64) -> Result<Reading, TransformError> {
+    fn equivalent(&self, x: f64) -> Result<Reading, TransformError> {
         self.check_domain("x", x)?;
-        self.with_steps(self.numeric.slope(x, self.closure.tolerance), x, STEPS)
+        self.with_steps(self.numeric.equivalent(x, self.closure.tolerance), x, STEPS)
     }
 
     fn force(&self, a: f64) -> Result<Reading, TransformError> {
@@ -182,7 +182,7 @@ impl Quantities for ClosureProfile {
         }
         let found = self.numeric.pressure(r, a, self.closure.tolerance).map_err(|error| self.named(error))?;
         // The relative error of g bounds what steps of f taken for noise change in p.
-        let g = self.slope(a)?.estimate;
+        let g = self.equivalent(a)?.estimate;
         let doubt = if g.error > UNSURE * g.value.abs() { g.relative_error() } else { 0.0 };
         Ok(found.map(|own| Reading { estimate: Estimate { error: own.error + doubt * own.value.abs(), ..own }, method: "quadrature" }))
     }

@@ -2,7 +2,7 @@
 
 use super::cells::Cells;
 use super::starts::{Seen, Starts};
-use crate::integrate::source::slope::SlopeSource;
+use crate::integrate::source::f_prime::FPrimeSource;
 use crate::num::Bounded;
 use num_complex::Complex64;
 use std::sync::Arc;
@@ -19,7 +19,7 @@ pub(super) enum Function {
     /// f alone, of a real radius.
     Real(Real),
     /// f and f′.
-    Slope(Real, Real),
+    FPrime(Real, Real),
     /// f, f′ and f″.
     Bend(Real, Real, Real),
 }
@@ -29,15 +29,15 @@ impl Function {
     pub(super) fn height(&self, r: f64) -> f64 {
         match self {
             Self::Complex(f) => f(Complex64::new(r, 0.0)).re,
-            Self::Real(f) | Self::Slope(f, _) | Self::Bend(f, ..) => f(r),
+            Self::Real(f) | Self::FPrime(f, _) | Self::Bend(f, ..) => f(r),
         }
     }
 
     /// f′(r) where it can be had without a difference.
-    pub(super) fn slope(&self, r: f64) -> Option<f64> {
+    pub(super) fn f_prime(&self, r: f64) -> Option<f64> {
         match self {
             Self::Complex(f) => Some(complex_step(f.as_ref(), r, STEP)),
-            Self::Slope(_, slope) | Self::Bend(_, slope, _) => Some(slope(r)),
+            Self::FPrime(_, f_prime) | Self::Bend(_, f_prime, _) => Some(f_prime(r)),
             Self::Real(_) => None,
         }
     }
@@ -118,14 +118,14 @@ impl Piece {
         let own = match &self.function {
             Function::Real(f) => f(r),
             Function::Bend(_, _, second) => second(r),
-            other => other.slope(r).unwrap_or(f64::NAN),
+            other => other.f_prime(r).unwrap_or(f64::NAN),
         };
         let sample = self.with_ulps(own);
         if own.is_finite() { sample } else { Bounded { value: f64::NAN, error: f64::NAN } }
     }
 
-    fn slope_at(&self, r: f64) -> Bounded {
-        match self.function.slope(r) {
+    fn f_prime_at(&self, r: f64) -> Bounded {
+        match self.function.f_prime(r) {
             Some(value) => self.with_ulps(value),
             None => self.derivative(1, r),
         }
@@ -158,16 +158,16 @@ impl Piece {
         let between = self.cells.derivative(order, r, &phi);
         let is_better = between.error.is_nan() || own.error <= between.error;
         // A fit that begins at the axis may be too wide to see a kink that the cells around it see.
-        let slope = |r: f64| Some(self.starts.as_ref()?.derivative(1, r, &phi)?.0);
-        (is_better && self.cells.agree(r, &phi, &slope)).then_some(own)
+        let f_prime = |r: f64| Some(self.starts.as_ref()?.derivative(1, r, &phi)?.0);
+        (is_better && self.cells.agree(r, &phi, &f_prime)).then_some(own)
     }
 
     /// Returns a bound on the slope at r of steps of f that were taken for noise.
-    fn hidden_slope(&self, r: f64) -> f64 {
+    fn hidden_f_prime(&self, r: f64) -> f64 {
         let phi = |r: f64| self.sample(r);
         match self.starts.as_ref().filter(|_| self.across_the_axis(1, r).is_some()) {
-            Some(own) => own.hidden_slope(r, &phi),
-            None => self.cells.hidden_slope(r, &phi),
+            Some(own) => own.hidden_f_prime(r, &phi),
+            None => self.cells.hidden_f_prime(r, &phi),
         }
     }
 
@@ -186,7 +186,7 @@ impl Piece {
 
     /// Records the radius if the closure itself is not finite there; a derivative may be unknown where the closure is finite.
     fn noted(&self, r: f64, value: Bounded) -> Bounded {
-        let is_defined = || self.function.height(r).is_finite() && self.function.slope(r).is_none_or(f64::is_finite);
+        let is_defined = || self.function.height(r).is_finite() && self.function.f_prime(r).is_none_or(f64::is_finite);
         if !value.value.is_finite() {
             if !is_defined() {
                 Faults::note(&self.faults.undefined, r);
@@ -198,16 +198,16 @@ impl Piece {
     }
 }
 
-impl SlopeSource for Piece {
-    fn slope(&self, delta: Bounded) -> Bounded {
+impl FPrimeSource for Piece {
+    fn f_prime(&self, delta: Bounded) -> Bounded {
         let r = self.radius(delta.value);
-        let own = self.noted(r, self.slope_at(r));
+        let own = self.noted(r, self.f_prime_at(r));
         // The closure sees r, not δ: the rounding of r moves f′ by f″.
         let moved = delta.error + 0.5 * f64::EPSILON * r;
         let moved = match &self.function {
             Function::Bend(_, _, second) => moved * second(r).abs(),
             // A closure that is differentiated by interpolation has the rounding of r in the bound of its cell.
-            Function::Real(_) => self.hidden_slope(r),
+            Function::Real(_) => self.hidden_f_prime(r),
             _ => moved * self.cells.steepness(r, &|r| self.sample(r)),
         };
         Bounded::checked(own.value, own.error + moved)
@@ -226,8 +226,8 @@ impl SlopeSource for Piece {
     fn bend(&self, delta: Bounded) -> Option<Bounded> {
         let r = self.radius(delta.value);
         if r < FAINT {
-            let slope = self.slope_at(r);
-            return Some(Bounded::checked(slope.value, 16.0 * slope.value.abs() + slope.error));
+            let f_prime = self.f_prime_at(r);
+            return Some(Bounded::checked(f_prime.value, 16.0 * f_prime.value.abs() + f_prime.error));
         }
         if !matches!(self.function, Function::Bend(..))
             && let Some(seam) = self.seam(r)
@@ -236,7 +236,7 @@ impl SlopeSource for Piece {
             return Some(Bounded { value: f64::NAN, error: f64::NAN });
         }
         let second = self.second_at(r);
-        let value = self.slope_at(r) + Bounded::exact(r) * second;
+        let value = self.f_prime_at(r) + Bounded::exact(r) * second;
         // The rounding of r moves (r f′)′ by 2f″ + r f‴; where f″ is interpolated, its bound has the second part.
         let third = match &self.function {
             Function::Bend(..) => self.cells.steepness(r, &|r| self.sample(r)),

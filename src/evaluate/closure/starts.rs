@@ -1,7 +1,7 @@
 //! A function next to the axis: Chebyshev fits that begin at r = 0, where those between powers of two see the rounding of its
 //! values only.
 
-use super::cells::{Cell, LAST, exponent_of, hidden_slope, kept, place_of, places};
+use super::cells::{Cell, LAST, exponent_of, hidden_f_prime, kept, place_of, places};
 use crate::num::{Bounded, work};
 use std::sync::OnceLock;
 
@@ -96,9 +96,9 @@ impl Starts {
     }
 
     /// Returns a bound on the slope at r of steps of φ that were taken for noise.
-    pub(super) fn hidden_slope(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
+    pub(super) fn hidden_f_prime(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
         let octave = exponent_of(r).and_then(|exponent| self.octave(exponent, phi));
-        octave.map_or(0.0, |own| hidden_slope(own.cell.noise(), r))
+        octave.map_or(0.0, |own| hidden_f_prime(own.cell.noise(), r))
     }
 
     /// Returns an estimate of the change of g(r) = r ∫ φ′/√(r² − b²) db due to the differences between φ and its fits: rounding
@@ -198,8 +198,8 @@ impl Starts {
     fn continues(&self, k: i32, exponent: i32, phi: &impl Fn(f64) -> Bounded) -> bool {
         let (Some(wide), Some(narrow)) = (self.fit(k, phi), self.octave(exponent, phi)) else { return false };
         let r = narrow.cell.middle();
-        let (slope, other) = (wide.derivative(1, r), narrow.cell.derivative_within(1, r, 0.0));
-        let differ = (slope.value - other.value).abs() > slope.error + other.error;
+        let (f_prime, other) = (wide.derivative(1, r), narrow.cell.derivative_within(1, r, 0.0));
+        let differ = (f_prime.value - other.value).abs() > f_prime.error + other.error;
         narrow.cell.is_resolved() && differ && self.agrees(wide, k, k - exponent, phi)
     }
 
@@ -283,12 +283,12 @@ fn has_features(from: f64, to: f64, phi: &impl Fn(f64) -> Bounded) -> bool {
     const WIDTH: f64 = 1e-3;
     /// Ratio of slopes below which their order is inconclusive.
     const ALIKE: f64 = 2.0;
-    let slope = |begin: f64| {
+    let f_prime = |begin: f64| {
         let low = from + begin * (to - from);
         let cell = Cell::fit((low, low + WIDTH * (to - from)), to, phi);
         (!is_blind(&cell)).then(|| cell.derivative_within(1, cell.end(), 0.0).value)
     };
-    let slopes: Vec<f64> = BEGINS.into_iter().filter_map(slope).collect();
+    let slopes: Vec<f64> = BEGINS.into_iter().filter_map(f_prime).collect();
     let turns = slopes.iter().any(|own| own * slopes.first().unwrap_or(own) < 0.0);
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
     let (mut rises, mut falls) = (false, false);

@@ -30,10 +30,10 @@ use table::Table;
 /// let set = Bindings::one("R", Expr::integer(2));
 /// let evaluator = Evaluator::new(&solution, &set, Method::Auto, 1e-13).unwrap();
 /// let curve = Curve::new(evaluator.typed().unwrap(), 3.0, 1e-13).unwrap();
-/// let g = curve.slope(1.5).unwrap();
+/// let g = curve.equivalent(1.5).unwrap();
 /// assert!((g.value - 1.5 * 1.5 / 2.0).abs() <= g.error && g.error < 1e-14);
 /// let (places, mut values) = ([0.5, 1.0, 3.0], [0.0; 3]);
-/// curve.slope_slice(&places, &mut values).unwrap();
+/// curve.equivalent_slice(&places, &mut values).unwrap();
 /// assert!((values[2] - 4.5).abs() < 1e-14);
 /// ```
 pub struct Curve<'a> {
@@ -44,7 +44,7 @@ pub struct Curve<'a> {
     /// Breakpoints that are known to their error only: place, error, jump of f′.
     smears: Vec<[f64; 3]>,
     evaluations: u64,
-    slope: Table,
+    equivalent: Table,
     force: OnceLock<Table>,
     integral: OnceLock<Table>,
     bound: f64,
@@ -70,7 +70,7 @@ impl<'a> Curve<'a> {
                     breakpoints.push(end.value);
                 }
                 if end.error > 0.0 {
-                    let jump = segment.slope_at((end.value - segment.lower.value).max(0.0)).value.abs();
+                    let jump = segment.f_prime_at((end.value - segment.lower.value).max(0.0)).value.abs();
                     smears.push([end.value, end.error, jump]);
                 }
             }
@@ -81,12 +81,12 @@ impl<'a> Curve<'a> {
         }
         breakpoints.sort_by(f64::total_cmp);
         breakpoints.dedup();
-        let slope = Table::new(&pieces, Integral::Root, &breakpoints, reach)?;
+        let equivalent = Table::new(&pieces, Integral::Root, &breakpoints, reach)?;
         let evaluations = budget.evaluations;
         let (force, integral) = (OnceLock::new(), OnceLock::new());
-        let mut curve = Self { profile, reach, pieces, breakpoints, smears, evaluations, slope, force, integral, bound: 0.0 };
-        curve.slope.examine(&mut Stream::new(reach.to_bits()), |x| profile.slope(x, CHECK));
-        let (largest, error) = curve.slope.extremes();
+        let mut curve = Self { profile, reach, pieces, breakpoints, smears, evaluations, equivalent, force, integral, bound: 0.0 };
+        curve.equivalent.examine(&mut Stream::new(reach.to_bits()), |x| profile.equivalent(x, CHECK));
+        let (largest, error) = curve.equivalent.extremes();
         curve.bound = error + curve.smears.iter().map(|smeared| smear(*smeared, reach, Integral::Root)).sum::<f64>();
         if error.is_nan() || error > tolerance * largest {
             return Err(TransformError::CurveTooRough { quantity: "g", achieved: error / largest, requested: tolerance });
@@ -98,33 +98,33 @@ impl<'a> Curve<'a> {
     ///
     /// # Errors
     /// [`TransformError::OutOfDomain`] outside of [0, reach].
-    pub fn slope(&self, x: f64) -> Result<Estimate, TransformError> {
+    pub fn equivalent(&self, x: f64) -> Result<Estimate, TransformError> {
         self.check("x", x)?;
-        Ok(self.estimate(&self.slope, x, Integral::Root))
+        Ok(self.estimate(&self.equivalent, x, Integral::Root))
     }
 
     /// g at every place of a slice, sorted or not.
     ///
     /// # Errors
     /// [`TransformError::OutOfDomain`] if a place lies outside of [0, reach], or the slices differ in length.
-    pub fn slope_slice(&self, x: &[f64], out: &mut [f64]) -> Result<(), TransformError> {
-        self.fill(&self.slope, "x", x, out)
+    pub fn equivalent_slice(&self, x: &[f64], out: &mut [f64]) -> Result<(), TransformError> {
+        self.fill(&self.equivalent, "x", x, out)
     }
 
     /// g′(x), by the derivative of the polynomials: three digits fewer than g, and infinite at a kink.
     ///
     /// # Errors
-    /// As [`Self::slope`].
-    pub fn slope_derivative(&self, x: f64) -> Result<f64, TransformError> {
+    /// As [`Self::equivalent`].
+    pub fn equivalent_derivative(&self, x: f64) -> Result<f64, TransformError> {
         self.check("x", x)?;
-        let value = self.slope.derivative(x);
+        let value = self.equivalent.derivative(x);
         if value.is_finite() { Ok(value) } else { Err(TransformError::Overflow { symbol: "x", at: x, is_negative: value < 0.0 }) }
     }
 
     /// F(a)/(2E*) under a smooth edge.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     pub fn force(&self, a: f64) -> Result<Estimate, TransformError> {
         self.check("a", a)?;
         Ok(self.estimate(self.forces()?, a, Integral::Raised))
@@ -133,7 +133,7 @@ impl<'a> Curve<'a> {
     /// F/(2E*) at every radius of a slice.
     ///
     /// # Errors
-    /// As [`Self::slope_slice`].
+    /// As [`Self::equivalent_slice`].
     pub fn force_slice(&self, a: &[f64], out: &mut [f64]) -> Result<(), TransformError> {
         self.fill(self.forces()?, "a", a, out)
     }
@@ -141,7 +141,7 @@ impl<'a> Curve<'a> {
     /// G(a) = ∫₀^a g dx.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     pub fn integral(&self, a: f64) -> Result<Estimate, TransformError> {
         self.check("a", a)?;
         Ok(self.estimate(self.integrals()?, a, Integral::Area))
@@ -150,7 +150,7 @@ impl<'a> Curve<'a> {
     /// G at every radius of a slice.
     ///
     /// # Errors
-    /// As [`Self::slope_slice`].
+    /// As [`Self::equivalent_slice`].
     pub fn integral_slice(&self, a: &[f64], out: &mut [f64]) -> Result<(), TransformError> {
         self.fill(self.integrals()?, "a", a, out)
     }
@@ -158,7 +158,7 @@ impl<'a> Curve<'a> {
     /// The pressure curve of the contact with radius a, for many places.
     ///
     /// # Errors
-    /// As [`Self::slope`], and where (r f′)′ is not known or too wild.
+    /// As [`Self::equivalent`], and where (r f′)′ is not known or too wild.
     pub fn pressures(&self, a: f64) -> Result<PressureCurve<'a>, TransformError> {
         self.check("a", a)?;
         PressureCurve::new(self.profile, a)
@@ -181,7 +181,7 @@ impl<'a> Curve<'a> {
 
     /// The number of expansions of f′, their largest number of coefficients, and the number of polynomials of g.
     pub fn size(&self) -> (usize, usize, usize) {
-        (self.pieces.len(), self.pieces.iter().map(Piece::len).max().unwrap_or(0), self.slope.len())
+        (self.pieces.len(), self.pieces.iter().map(Piece::len).max().unwrap_or(0), self.equivalent.len())
     }
 
     fn forces(&self) -> Result<&Table, TransformError> {

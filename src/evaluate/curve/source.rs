@@ -3,7 +3,7 @@
 use crate::eval::{BoundedAlgebra, Tape};
 use crate::expr::{Expr, Number, Symbol, derivative, normal};
 use crate::integrate::integral::{NumericSegment, with_ulps};
-use crate::integrate::source::slope::Numbers;
+use crate::integrate::source::f_prime::Numbers;
 use crate::num::Bounded;
 
 /// f′ or (r f′)′ on one segment as u^B ψ with u = r² − b²: the exponent of the factor before ψ, and the source of its values.
@@ -18,7 +18,7 @@ pub(super) struct Source<'a> {
 }
 
 enum Values<'a> {
-    Slope(&'a NumericSegment),
+    FPrime(&'a NumericSegment),
     Bend(&'a Numbers),
     Own(Box<Tape>),
 }
@@ -37,15 +37,15 @@ pub(super) enum Parity {
 impl<'a> Source<'a> {
     /// The sources of f′ on a segment: a single source, or one for each class of fractional powers at the axis.
     pub(super) fn of_slope(segment: &'a NumericSegment) -> Vec<Self> {
-        Self::of(segment, Values::Slope(segment), || segment.source.as_ref().map(|(slope, _)| slope.clone()))
+        Self::of(segment, Values::FPrime(segment), || segment.source.as_ref().map(|(f_prime, _)| f_prime.clone()))
     }
 
     /// The sources of (r f′)′ instead of f′; empty if it is not known.
     pub(super) fn of_bend(segment: &'a NumericSegment) -> Vec<Self> {
         let Ok(bend) = segment.bend() else { return Vec::new() };
         let derived = || {
-            let (slope, _) = segment.source.as_ref()?;
-            derivative(&(Expr::symbol("r") * slope), &Symbol::new("r")).ok()
+            let (f_prime, _) = segment.source.as_ref()?;
+            derivative(&(Expr::symbol("r") * f_prime), &Symbol::new("r")).ok()
         };
         Self::of(segment, Values::Bend(bend), derived)
     }
@@ -87,15 +87,15 @@ impl<'a> Source<'a> {
     pub(super) fn psi(&self, u: f64, exponent: f64, parity: Parity) -> Bounded {
         let r = (self.lower * self.lower + u).sqrt();
         let delta = with_ulps(u / (self.lower + r), 4.0);
-        let slope = self.values.at(delta);
+        let f_prime = self.values.at(delta);
         let half = Bounded::exact(0.5);
         // Both halves use the same ψ.
         let exponent = if parity == Parity::Whole { exponent } else { self.exponent };
         let whole = if self.lower == 0.0 {
             // f′/(2r) over r^(2B) is f′/2 over r^(2B+1).
-            half * slope / with_ulps(power(r, 2.0 * exponent + 1.0), 4.0)
+            half * f_prime / with_ulps(power(r, 2.0 * exponent + 1.0), 4.0)
         } else {
-            half * slope / with_ulps(r * power(u, exponent), 6.0)
+            half * f_prime / with_ulps(r * power(u, exponent), 6.0)
         };
         let other = match (&self.mirrored, parity) {
             (_, Parity::Whole) | (None, _) => return whole,
@@ -111,7 +111,7 @@ impl<'a> Source<'a> {
 impl Values<'_> {
     fn at(&self, delta: Bounded) -> Bounded {
         match self {
-            Self::Slope(segment) => segment.slope.at(delta, &mut Vec::new()),
+            Self::FPrime(segment) => segment.f_prime.at(delta, &mut Vec::new()),
             Self::Bend(bend) => bend.at(delta, &mut Vec::new()),
             Self::Own(tape) => run(tape, delta),
         }
@@ -188,10 +188,10 @@ impl Class {
 type Member = (f64, Expr, Expr);
 
 /// Groups the terms of f′ by the fractional part of their powers; `None` if a power is not a number.
-fn classes(slope: &Expr) -> Option<Vec<Class>> {
+fn classes(f_prime: &Expr) -> Option<Vec<Class>> {
     let r = Symbol::new("r");
     let mut found: Vec<(f64, Vec<Member>)> = Vec::new();
-    for term in normal::normal_terms(slope, &r).ok()? {
+    for term in normal::normal_terms(f_prime, &r).ok()? {
         let exponent = term.exponent.as_number().map(Number::to_f64)?;
         let part = &term.coefficient * &term.kernel;
         let whole = term.to_expr(&r);
@@ -210,11 +210,11 @@ fn classes(slope: &Expr) -> Option<Vec<Class>> {
 }
 
 /// ψ(−r) for f′ = r^m ψ with whole m: f′(−r)/(−r)^m.
-fn mirrored(slope: &Expr, whole: f64) -> Option<Tape> {
+fn mirrored(f_prime: &Expr, whole: f64) -> Option<Tape> {
     let r = Symbol::new("r");
     let minus = -Expr::from(r.clone());
     let m = whole as i64;
-    let expr = replaced(slope, &r, &minus) * minus.power(-m);
+    let expr = replaced(f_prime, &r, &minus) * minus.power(-m);
     Tape::compile(&[expr], &[r]).ok()
 }
 

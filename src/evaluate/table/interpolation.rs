@@ -73,9 +73,9 @@ pub(super) fn interpolate(r: &[f64], z: &[f64], how: Interpolation) -> Result<Ve
 /// From a first point beyond the axis an even parabola with the same slope leads to the axis.
 fn extend_to_axis(pieces: &mut Vec<Cubic>) {
     let Some(first) = pieces.first().copied() else { return };
-    let (radius, [height, slope, ..]) = (first.lower, first.coefficients);
+    let (radius, [height, f_prime, ..]) = (first.lower, first.coefficients);
     if radius > 0.0 {
-        let coefficients = [height - 0.5 * slope * radius, 0.0, 0.5 * slope / radius, 0.0];
+        let coefficients = [height - 0.5 * f_prime * radius, 0.0, 0.5 * f_prime / radius, 0.0];
         pieces.insert(0, Cubic { lower: 0.0, upper: radius, coefficients });
     }
 }

@@ -10,7 +10,7 @@ mod tree;
 use crate::derive::profile::Profile;
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::NumericProfile;
-use crate::integrate::source::slope::SlopeSource;
+use crate::integrate::source::f_prime::FPrimeSource;
 use crate::integrate::table_error::TableError;
 use crate::num::Bounded;
 
@@ -33,7 +33,7 @@ pub struct Cubic {
 
 impl Cubic {
     /// f′ at δ.
-    pub fn slope(&self, delta: f64) -> f64 {
+    pub fn f_prime(&self, delta: f64) -> f64 {
         let [_, c1, c2, c3] = self.coefficients;
         c1 + delta * (2.0 * c2 + 3.0 * c3 * delta)
     }
@@ -45,7 +45,7 @@ impl Cubic {
     }
 
     /// The sum of the magnitudes in f′, of which its rounding is a share.
-    pub(crate) fn slope_size(&self, delta: f64) -> f64 {
+    pub(crate) fn f_prime_size(&self, delta: f64) -> f64 {
         let [_, c1, c2, c3] = self.coefficients;
         c1.abs() + delta * (2.0 * c2.abs() + 3.0 * c3.abs() * delta)
     }
@@ -137,7 +137,7 @@ impl TableProfile {
 
     /// f′ on its pieces, for separate integration.
     pub fn numeric(&self) -> NumericProfile {
-        let source = |piece: &Cubic| (piece.lower, Some(piece.upper), Arc::new(*piece) as Arc<dyn SlopeSource>);
+        let source = |piece: &Cubic| (piece.lower, Some(piece.upper), Arc::new(*piece) as Arc<dyn FPrimeSource>);
         NumericProfile::from_sources(self.pieces.iter().map(source))
     }
 
@@ -163,8 +163,8 @@ impl TableProfile {
     }
 }
 
-impl SlopeSource for Cubic {
-    fn slope(&self, delta: Bounded) -> Bounded {
+impl FPrimeSource for Cubic {
+    fn f_prime(&self, delta: Bounded) -> Bounded {
         let [_, c1, c2, c3] = self.coefficients.map(Bounded::exact);
         c1 + delta * (Bounded::exact(2.0) * c2 + Bounded::exact(3.0) * c3 * delta)
     }
@@ -172,6 +172,6 @@ impl SlopeSource for Cubic {
     fn bend(&self, delta: Bounded) -> Option<Bounded> {
         let [_, _, c2, c3] = self.coefficients.map(Bounded::exact);
         let second = Bounded::exact(2.0) * c2 + Bounded::exact(6.0) * c3 * delta;
-        Some(SlopeSource::slope(self, delta) + (Bounded::exact(self.lower) + delta) * second)
+        Some(FPrimeSource::f_prime(self, delta) + (Bounded::exact(self.lower) + delta) * second)
     }
 }

@@ -24,7 +24,7 @@ const REGULAR: f64 = 0.4;
 impl Bends {
     pub(super) fn new(pieces: &[Cubic], tree: &Tree) -> Result<Self, Exhausted> {
         let kinks: Vec<f64> = (0..pieces.len()).map(|index| kink(pieces, index)).collect();
-        let density = |piece: &Cubic, delta: f64| piece.slope(delta) + (piece.lower + delta) * piece.second(delta);
+        let density = |piece: &Cubic, delta: f64| piece.f_prime(delta) + (piece.lower + delta) * piece.second(delta);
         let moments = tree.moments(pieces, density, |index| kinks.get(index).copied().unwrap_or(0.0))?;
         let masses = moments.iter().map(|_| OnceLock::new()).collect();
         Ok(Self { kinks, moments, masses })
@@ -40,8 +40,8 @@ impl Bends {
 pub(super) fn kink(pieces: &[Cubic], index: usize) -> f64 {
     let Some((before, own)) = index.checked_sub(1).and_then(|i| Some((pieces.get(i)?, pieces.get(index)?))) else { return 0.0 };
     let length = before.upper - before.lower;
-    let jump = own.slope(0.0) - before.slope(length);
-    let rounding = 8.0 * f64::EPSILON * (before.slope_size(length) + own.slope_size(0.0));
+    let jump = own.f_prime(0.0) - before.f_prime(length);
+    let rounding = 8.0 * f64::EPSILON * (before.f_prime_size(length) + own.f_prime_size(0.0));
     if jump.abs() <= rounding { 0.0 } else { own.lower * jump }
 }
 
@@ -121,9 +121,9 @@ impl Work<'_> {
             let delta = (from - piece.lower) + up;
             let difference = if s <= from { (from - s) + up } else { (s - to) + down };
             let r = if up < down { from + up } else { to - down };
-            let (slope, second) = (piece.slope(delta), piece.second(delta));
-            let size = piece.slope_size(delta) + r * piece.second_size(delta);
-            Bounded { value: slope + r * second, error: 8.0 * f64::EPSILON * size } * kernel(r, s, a, difference, (a - to) + down)
+            let (f_prime, second) = (piece.f_prime(delta), piece.second(delta));
+            let size = piece.f_prime_size(delta) + r * piece.second_size(delta);
+            Bounded { value: f_prime + r * second, error: 8.0 * f64::EPSILON * size } * kernel(r, s, a, difference, (a - to) + down)
         };
         let distance = (a - to).min(if s <= from { from - s } else { s - to });
         if distance >= REGULAR * length {

@@ -23,7 +23,7 @@ impl TableProfile {
         }
         work::check()?;
         let tree = Tree::new(&self.pieces);
-        let moments = tree.moments(&self.pieces, Cubic::slope, |_| 0.0)?;
+        let moments = tree.moments(&self.pieces, Cubic::f_prime, |_| 0.0)?;
         Ok(self.tree.get_or_init(|| (tree, moments)))
     }
 
@@ -43,9 +43,9 @@ impl TableProfile {
     /// g at many places, errors included; each costs the logarithm of the number of points, so that sorting does not pay.
     ///
     /// # Errors
-    /// As [`Quantities::slope`], at the first place that fails.
-    pub fn slopes(&self, places: &[f64]) -> Result<Vec<Estimate>, TransformError> {
-        places.iter().map(|x| Ok(self.slope(*x)?.estimate)).collect()
+    /// As [`Quantities::equivalent`], at the first place that fails.
+    pub fn equivalents(&self, places: &[f64]) -> Result<Vec<Estimate>, TransformError> {
+        places.iter().map(|x| Ok(self.equivalent(*x)?.estimate)).collect()
     }
 }
 
@@ -54,9 +54,9 @@ fn exact(number: Bounded, evaluations: u64) -> Reading {
 }
 
 impl Quantities for TableProfile {
-    fn slope(&self, x: f64) -> Result<Reading, TransformError> {
+    fn equivalent(&self, x: f64) -> Result<Reading, TransformError> {
         self.check_domain("x", x)?;
-        Ok(exact(self.transformed(x, Kernel::Slope)? * Bounded::exact(x), 0))
+        Ok(exact(self.transformed(x, Kernel::Equivalent)? * Bounded::exact(x), 0))
     }
 
     fn force(&self, a: f64) -> Result<Reading, TransformError> {
@@ -77,7 +77,7 @@ impl Quantities for TableProfile {
         }
         let (tree, _) = self.tree()?;
         let bends = self.bends(tree)?;
-        let steep = r == 0.0 && self.pieces.first().is_some_and(|piece| piece.slope(0.0) != 0.0);
+        let steep = r == 0.0 && self.pieces.first().is_some_and(|piece| piece.f_prime(0.0) != 0.0);
         let on_kink = || self.piece(r).is_some_and(|i| self.pieces[i].lower == r && bends.kinks.get(i).is_some_and(|kink| *kink != 0.0));
         if steep || on_kink() {
             return Ok(None);
@@ -138,7 +138,7 @@ impl Quantities for TableProfile {
     }
 
     fn f_prime_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
-        Slopes::over(self, lower, upper).map(|own| own.slope)
+        Slopes::over(self, lower, upper).map(|own| own.f_prime)
     }
 
     /// A Gauss rule per piece in √(x − b), in which g is smooth up to the roots of the pieces before.
@@ -161,7 +161,7 @@ impl Quantities for TableProfile {
                 let mut sum = Bounded::exact(0.0);
                 for node in rule(nodes) {
                     let x = (piece.lower + length * node.t * node.t).min(a);
-                    let gap = depth - transformed(&self.pieces, tree, moments, x, Kernel::Slope) * Bounded::exact(x);
+                    let gap = depth - transformed(&self.pieces, tree, moments, x, Kernel::Equivalent) * Bounded::exact(x);
                     let weight = 2.0 * length * node.t * node.weight;
                     sum = sum + gap * gap * Bounded { value: weight, error: 4.0 * f64::EPSILON * weight };
                 }

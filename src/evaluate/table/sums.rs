@@ -19,7 +19,7 @@ pub(super) const NARROW: f64 = 0.2;
 #[derive(Clone, Copy)]
 pub(super) enum Kernel {
     /// 1: g(x)/x.
-    Slope,
+    Equivalent,
     /// r²: F/(2E*).
     Force,
     /// x² − r²: G.
@@ -92,7 +92,7 @@ fn far(own: &Cluster, moment: &Moments, x: f64, (ratio, h): (f64, f64), kernel: 
     let count = terms(h);
     let series = |list: &[f64; TERMS]| list[..count].iter().rev().fold(0.0, |sum, c| sum * h + c);
     let (factor, largest, value) = match kernel {
-        Kernel::Slope => (1.0, 1.0, series(&moment.plain)),
+        Kernel::Equivalent => (1.0, 1.0, series(&moment.plain)),
         Kernel::Force => (1.0, own.upper * own.upper, middle * series(&moment.plain) + half * series(&moment.first)),
         _ => (half, ratio + 1.0, ratio * series(&moment.plain) - series(&moment.first)),
     };
@@ -127,14 +127,14 @@ fn near(piece: &Cubic, x: f64, kernel: Kernel, sum: &mut Sum) {
         let distance = from_b * tau * tau;
         let r = x - distance;
         let weight = match kernel {
-            Kernel::Slope => 1.0,
+            Kernel::Equivalent => 1.0,
             Kernel::Force => r * r,
             Kernel::Integral => distance * (x + r),
             Kernel::Outside(other) => outside(r, distance.sqrt() * (x + r).sqrt(), x, other),
         };
         let common = node.weight * weight / (x + r).sqrt();
-        value += common * piece.slope(delta);
-        size += common * piece.slope_size(delta);
+        value += common * piece.f_prime(delta);
+        size += common * piece.f_prime_size(delta);
     }
     let factor = 2.0 * from_b.sqrt() * span;
     sum.value += factor * value;

@@ -31,7 +31,7 @@ impl Evaluator<'_> {
         let forms: Vec<&ClosedForm> = forms.iter().collect();
         // Values of special functions are too expensive for a search.
         let most = if forms.iter().any(|form| form.tape().is_special()) { most.min(MORE_DIGITS) } else { most };
-        let mut slope = |point: Point| {
+        let mut g_prime = |point: Point| {
             let x = r * point.x.cosh();
             // x is accurate to a few rounding errors, and g′ varies on the scale of the distance to the last kink.
             let moved = 4.0 * f64::EPSILON * (1.0 + point.x) * (r / (r - last));
@@ -40,16 +40,16 @@ impl Evaluator<'_> {
         };
         let reach = (leg(a, r) / r).asinh();
         // Give up if the budget does not cover the first rule.
-        let (_, each, _) = work::apart(most, || slope(Point { x: 0.5 * reach, from_lower: 0.5 * reach, from_upper: 0.5 * reach }));
+        let (_, each, _) = work::apart(most, || g_prime(Point { x: 0.5 * reach, from_lower: 0.5 * reach, from_upper: 0.5 * reach }));
         work::spend(each);
         if each.saturating_mul(FEWEST) > most {
             return None;
         }
         let panel = Panel { lower: 0.0, upper: reach, kind: EndBehaviour::Smooth };
         let options = Options { rel_tol: self.tolerance, charge_x: false, max_evaluations: 20_000, ..Options::default() };
-        let found = reached(integrate(&mut slope, &[panel], &options), a).ok()?;
+        let found = reached(integrate(&mut g_prime, &[panel], &options), a).ok()?;
         // U is accurate to a few rounding errors.
-        let end = slope(Point { x: reach, from_lower: reach, from_upper: f64::MIN_POSITIVE });
+        let end = g_prime(Point { x: reach, from_lower: reach, from_upper: f64::MIN_POSITIVE });
         let error = found.error + 8.0 * f64::EPSILON * reach * end.value.abs();
         Some(Estimate { error, ..found.by(CLOSED_SLOPE) })
     }
@@ -62,8 +62,8 @@ impl Evaluator<'_> {
             if !self.part(index, Superposed::Equivalent).ok()?.open.is_empty() {
                 return None;
             }
-            let slope = self.bindings.apply(&chain.closed(self.interval(index, a), Superposed::Equivalent, |pair| &pair.shown));
-            ClosedForm::new(&derivative(&slope, &x).ok()?, std::slice::from_ref(&x)).ok()
+            let equivalent = self.bindings.apply(&chain.closed(self.interval(index, a), Superposed::Equivalent, |pair| &pair.shown));
+            ClosedForm::new(&derivative(&equivalent, &x).ok()?, std::slice::from_ref(&x)).ok()
         });
         forms.collect()
     }

@@ -183,7 +183,7 @@ impl Evaluator<'_> {
         let none = TransformError::NotComputable { at: ask.reach() };
         let Ok(series) = SeriesEvaluator::with(&self.solution.profile, &self.bindings, order) else { return Err(none) };
         let found = match ask {
-            Ask::Equivalent(x) => series.slope(x),
+            Ask::Equivalent(x) => series.equivalent(x),
             Ask::Force(a) => series.force(a),
             Ask::Integral(a) => series.integral(a),
             Ask::Height(r) => series.height(r),

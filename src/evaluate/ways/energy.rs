@@ -4,7 +4,7 @@ use crate::evaluate::evaluator::{Evaluator, Reading};
 use crate::integrate::abel::pieces::{Piece, Place, Range, proven_sum};
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{NumericProfile, NumericSegment};
-use crate::integrate::source::slope::Scratch;
+use crate::integrate::source::f_prime::Scratch;
 use crate::num::bounded::UNIT;
 use crate::num::{Bound, Bounded, Estimate, Region, work};
 use std::cell::Cell;
@@ -28,7 +28,7 @@ impl Evaluator<'_> {
         ends.extend(self.breakpoints_below(a));
         ends.push(a);
         let (evaluations, bound, way) = (Cell::new(0), Cell::new(Bound::Proven), Cell::new(""));
-        let slope = |x: f64| match self.slope(x) {
+        let equivalent = |x: f64| match self.equivalent(x) {
             Ok(Reading { estimate, .. }) => {
                 evaluations.set(evaluations.get() + estimate.evaluations + 1);
                 bound.set(bound.get().and(estimate.bound));
@@ -52,11 +52,11 @@ impl Evaluator<'_> {
                 continue;
             }
             skipped += (after - lower) + (upper - before);
-            ranges.push(Gap { typed, slope: &slope, lower: after, upper: before, depth, slots: Vec::new() });
+            ranges.push(Gap { typed, equivalent: &equivalent, lower: after, upper: before, depth, slots: Vec::new() });
         }
         // Bound (d − g)² in the skipped ranges by the samples at their ends; rounding errors of g are negligible here.
         let size = |own: Bounded| own.value.abs() + own.error;
-        let largest = ends.iter().map(|at| size(depth - slope(*at))).fold(0.0, f64::max);
+        let largest = ends.iter().map(|at| size(depth - equivalent(*at))).fold(0.0, f64::max);
         let more = Bounded { value: 0.0, error: 4.0 * skipped * largest * largest };
         let found = work::share(LONGEST, || proven_sum(&mut ranges, more, TOLERANCE, a))?.ok()??;
         let estimate = Estimate { evaluations: evaluations.get(), ..found }.resting_on(bound.get()).by(way.get());
@@ -67,7 +67,7 @@ impl Evaluator<'_> {
 /// (d − g(x))² between two breakpoints.
 struct Gap<'a, F> {
     typed: &'a NumericProfile,
-    slope: &'a F,
+    equivalent: &'a F,
     lower: f64,
     upper: f64,
     depth: Bounded,
@@ -90,7 +90,7 @@ impl<F: Fn(f64) -> Bounded> Gap<'_, F> {
                 return Bounded { value: self.depth.value, error: self.depth.error + largest };
             }
         }
-        self.depth - (self.slope)(x)
+        self.depth - (self.equivalent)(x)
     }
 
     /// A bound on |g| in a rectangle; infinite if unknown.
@@ -155,7 +155,7 @@ impl Around {
         }
         // f′ = δ^s h(δ).
         let along = if ended.is_some() { path } else { from_begin.above_zero() };
-        let plain = if power.is_none() { segment.largest_slope(path, slots) } else { f64::INFINITY };
+        let plain = if power.is_none() { segment.largest_f_prime(path, slots) } else { f64::INFINITY };
         let power = power.or_else(|| segment.leading_power().filter(|_| is_right && plain.is_infinite()));
         let (exponent, largest) = power.map_or((0.0, plain), |own| (own.exponent, own.rest_over(along, slots)));
         let steep = exponent.min(0.0);
@@ -178,7 +178,7 @@ impl<F: Fn(f64) -> Bounded> Range for Gap<'_, F> {
     }
 
     fn size_at(&self, place: Place) -> f64 {
-        let gap = self.depth - (self.slope)(self.place(place));
+        let gap = self.depth - (self.equivalent)(self.place(place));
         gap.value * gap.value
     }
 

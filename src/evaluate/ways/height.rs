@@ -16,7 +16,7 @@ impl NumericProfile {
     /// f(r) − f(0) = ∫₀^r f′ dr.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     pub fn height(&self, r: f64, tolerance: f64) -> Result<Estimate, TransformError> {
         finite_and_not_negative("r", r)?;
         let mut total = Estimate::exact(0.0);
@@ -39,7 +39,7 @@ impl NumericSegment {
         let mut integrand = |point: Point| {
             // Points count from the ends of their panels: the distance from the lower end has its digits on the first one.
             let delta = if point.x < first { point.bounded_from_lower() } else { Bounded { value: point.x, error: 4.0 * UNIT * point.x } };
-            self.slope.at(delta, &mut slots)
+            self.f_prime.at(delta, &mut slots)
         };
         let mut panels = Panel::chain(cuts.iter().copied().chain([length]));
         if let (true, Some(panel)) = (self.singular, panels.first_mut()) {
@@ -50,7 +50,7 @@ impl NumericSegment {
         let inner = |v: f64| integrand(Point { x: v, from_lower: v, from_upper: length - v }).value;
         let found = settle(result, r, || magnitude(length, inner))?;
         // f may begin or end anywhere within the error of a breakpoint.
-        let moved = |end: Bounded, at: f64| if end.error > 0.0 { 4.0 * end.error * self.slope_at(at).value.abs() } else { 0.0 };
+        let moved = |end: Bounded, at: f64| if end.error > 0.0 { 4.0 * end.error * self.f_prime_at(at).value.abs() } else { 0.0 };
         let ends = self.upper.filter(|u| u.value < r).map_or(0.0, |upper| moved(upper, length));
         let smear = moved(self.lower, self.lower.error) + ends;
         // What every value may lose below the smallest number.

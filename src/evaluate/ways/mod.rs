@@ -142,7 +142,7 @@ impl Way {
     ///
     /// # Errors
     /// [`TransformError::NoSuchWay`] for another quantity, [`TransformError::NotThisWay`] if the way has no answer, and what
-    /// [`Evaluator::slope`] has.
+    /// [`Evaluator::equivalent`] has.
     pub(crate) fn answer(&'static self, evaluator: &Evaluator<'_>, ask: Ask) -> Result<Option<Reading>, TransformError> {
         if !self.quantities.contains(&ask.key()) {
             return Err(TransformError::NoSuchWay { way: self.key, quantity: ask.key() });
@@ -188,10 +188,10 @@ fn by_closed_forms(way: &Way, evaluator: &Evaluator<'_>, ask: Ask) -> Result<Opt
     let coordinates = ask.coordinates();
     if let Ask::Integral(a) = ask {
         let forms = |quantity| evaluator.closed_forms(quantity, a);
-        let (Some(slope), Some(force)) = (forms(Superposed::Equivalent)?, forms(Superposed::Force)?) else { return Ok(None) };
-        let precise = |sum: fn(&[&_], &[f64]) -> Precise| rounded(Precise::exact(a).mul(sum(&slope, &[a])).sub(sum(&force, &[a])));
+        let (Some(equivalent), Some(force)) = (forms(Superposed::Equivalent)?, forms(Superposed::Force)?) else { return Ok(None) };
+        let precise = |sum: fn(&[&_], &[f64]) -> Precise| rounded(Precise::exact(a).mul(sum(&equivalent, &[a])).sub(sum(&force, &[a])));
         let found = match way.key {
-            DOUBLES => Bounded::exact(a) * in_doubles(&slope, &[a]) - in_doubles(&force, &[a]),
+            DOUBLES => Bounded::exact(a) * in_doubles(&equivalent, &[a]) - in_doubles(&force, &[a]),
             THIRTY_DIGITS => precise(in_30_digits),
             _ => precise(in_wide),
         };

@@ -32,7 +32,7 @@ impl Evaluator<'_> {
     /// p(r)·π/E* under a smooth edge of radius a; `None` if it is theoretically infinite.
     ///
     /// # Errors
-    /// As [`Self::slope`].
+    /// As [`Self::equivalent`].
     pub fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError> {
         self.check_domain("a", a)?;
         finite_and_not_negative("r", r)?;
@@ -90,11 +90,11 @@ impl Evaluator<'_> {
             }
             let mut first = Vec::new();
             for chain in &self.solution.profile.chains {
-                first.extend(chain.slopes()?.into_iter().next());
+                first.extend(chain.f_primes()?.into_iter().next());
             }
-            let slope = self.bindings.apply(&Expr::sum(first));
+            let f_prime = self.bindings.apply(&Expr::sum(first));
             // The limit does not exist at a pole or a logarithm.
-            let steep = limit(&slope).is_none_or(|own| !is_zero(&own));
+            let steep = limit(&f_prime).is_none_or(|own| !is_zero(&own));
             work::check()?;
             return Ok(*self.steep.get_or_init(|| steep));
         }
@@ -120,7 +120,7 @@ impl Evaluator<'_> {
         if r > 0.0 {
             return by_quadrature(self.typed()?.stress_direct(r, a, self.tolerance)?.map(Some).ok_or(lost));
         }
-        let level = self.typed_without_slopes()?;
+        let level = self.typed_without_f_prime()?;
         let typed = level.as_ref().map_or_else(|| self.typed(), Ok)?;
         Best::of(
             self.tolerance,
@@ -135,12 +135,12 @@ impl Evaluator<'_> {
 
     /// The profile as typed, minus the slopes of its chains at the axis times r, if these slopes add up to 0 but are not all 0;
     /// `None` for every other profile.
-    fn typed_without_slopes(&self) -> Result<Option<NumericProfile>, TransformError> {
+    fn typed_without_f_prime(&self) -> Result<Option<NumericProfile>, TransformError> {
         let mut slopes = Vec::new();
         for chain in &self.solution.profile.chains {
-            let first = chain.slopes()?.into_iter().next().unwrap_or(Expr::zero());
-            let Some(slope) = limit(&self.bindings.apply(&first)) else { return Ok(None) };
-            slopes.push(slope);
+            let first = chain.f_primes()?.into_iter().next().unwrap_or(Expr::zero());
+            let Some(f_prime) = limit(&self.bindings.apply(&first)) else { return Ok(None) };
+            slopes.push(f_prime);
         }
         if slopes.iter().all(Expr::is_zero) || !normal::is_proven_zero(&Expr::sum(slopes.clone()), &Symbol::new("r")) {
             return Ok(None);
@@ -150,11 +150,11 @@ impl Evaluator<'_> {
 
     /// f′ beyond a breakpoint minus f′ before it; `None` if one of them is infinite.
     fn jump(&self, chain: &Chain, index: usize) -> Result<Option<Expr>, TransformError> {
-        let (Some(place), slopes) = (chain.breakpoints.get(index), chain.slopes()?) else { return Ok(None) };
+        let (Some(place), slopes) = (chain.breakpoints.get(index), chain.f_primes()?) else { return Ok(None) };
         let (Some(below), Some(beyond)) = (slopes.get(index), slopes.get(index + 1)) else { return Ok(None) };
         let place = self.bindings.apply(place);
         let distance = Expr::symbol("r");
-        let at = |slope: &Expr, distance: Expr| limit(&Bindings::one("r", &place + distance).apply(&self.bindings.apply(slope)));
+        let at = |f_prime: &Expr, distance: Expr| limit(&Bindings::one("r", &place + distance).apply(&self.bindings.apply(f_prime)));
         Ok(at(beyond, distance.clone()).and_then(|beyond| Some(beyond - at(below, -distance)?)))
     }
 }
@@ -164,8 +164,8 @@ fn is_trusted(own: Estimate) -> bool {
     own.bound == Bound::Proven && own.relative_error() <= Estimate::TRUSTED
 }
 
-fn limit(slope: &Expr) -> Option<Expr> {
-    domain::value_at_axis(slope, &mut Vec::new()).ok()
+fn limit(f_prime: &Expr) -> Option<Expr> {
+    domain::value_at_axis(f_prime, &mut Vec::new()).ok()
 }
 
 /// True for a number that is exactly zero, and for other constants that are zero within their error.

@@ -2,7 +2,7 @@
 
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{NumericSegment, Weight, intricate, modest, stricter};
-use crate::integrate::source::slope::{Numbers, Scratch};
+use crate::integrate::source::f_prime::{Numbers, Scratch};
 use crate::num::Estimate;
 use crate::num::bounded::UNIT;
 use crate::num::quadrature::{CHUNK, EvenIntegrand, Extent, Form, Mean, Nodes, Radii, Wish, from_the_axis, mean};
@@ -19,7 +19,7 @@ impl NumericSegment {
     /// [`TransformError::NotComputable`] if f′ is not finite.
     pub(crate) fn by_nested_rules(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         let own = if self.is_intricate(x, weight) { intricate(tolerance) } else { stricter(tolerance) };
-        self.nested(&self.slope, x, weight, (tolerance, own), 0.0)
+        self.nested(&self.f_prime, x, weight, (tolerance, own), 0.0)
     }
 
     /// The same for f′ or (r f′)′. The rules use the second of the tolerances, and errors are relative to the larger of `scale`
@@ -49,17 +49,17 @@ impl NumericSegment {
             return Ok(found.map(|found| with_rounding(modest(found, own * largest(found.value), tolerance * largest(found.value)))));
         }
         // Weights are functions of x − r, except for g and F, which may use the distance to the limit instead.
-        let by_limit = matches!(weight, Weight::Slope | Weight::Force);
+        let by_limit = matches!(weight, Weight::Equivalent | Weight::Force);
         if !by_limit && limit.is_some_and(|limit| x > NEAR_THE_LIMIT * limit) {
             // Features within limit − x of the end are too narrow for the nodes.
             return Ok(None);
         }
         if let (Some(end), Some(limit)) = (&self.limit, limit)
             && by_limit
-            && std::ptr::eq(numbers, &self.slope)
+            && std::ptr::eq(numbers, &self.f_prime)
             && x > NEAR_THE_LIMIT * limit
         {
-            source.from_limit = Some((&end.slope, end.value.error));
+            source.from_limit = Some((&end.f_prime, end.value.error));
         }
         let extent = Extent::new(lower, x, limit.filter(|_| by_limit));
         let form = Form::choose(&extent, self.odd, limit.filter(|_| by_limit));
@@ -155,7 +155,7 @@ impl Source<'_> {
                 *error *= by;
             }
         }
-        if matches!(self.weight, Weight::Slope) {
+        if matches!(self.weight, Weight::Equivalent) {
             errors.iter_mut().zip(values).for_each(|(error, value)| *error += 8.0 * UNIT * value.abs());
         } else {
             self.weigh(at, values, errors);
@@ -168,7 +168,7 @@ impl Source<'_> {
         if let Some(factor) = factor {
             values.iter_mut().zip(factor).for_each(|(value, by)| *value *= by);
         }
-        if !matches!(self.weight, Weight::Slope) {
+        if !matches!(self.weight, Weight::Equivalent) {
             self.weigh(at, values, errors);
             errors.fill(0.0);
         }
@@ -180,7 +180,7 @@ impl Source<'_> {
         let x = self.x;
         for (((value, error), &r), &below) in values.iter_mut().zip(errors).zip(at.r).zip(at.below_limit) {
             let (by, roundings) = match self.weight {
-                Weight::Slope => (1.0, 0.0),
+                Weight::Equivalent => (1.0, 0.0),
                 Weight::Force => {
                     let share = r / x;
                     (share * share, 28.0 * UNIT + 4.0 * self.doubt / r)

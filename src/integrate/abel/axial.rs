@@ -4,7 +4,7 @@ use crate::integrate::admit::finite_and_not_negative;
 use crate::integrate::ask::BISECTION;
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{NumericProfile, NumericSegment, magnitude, settle};
-use crate::integrate::source::slope::Scratch;
+use crate::integrate::source::f_prime::Scratch;
 use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
 use crate::num::stable::leg;
 use crate::num::{Bounded, Estimate, forms};
@@ -81,10 +81,10 @@ impl NumericSegment {
         let mut scratch = Scratch::take();
         let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
             let angle = |point: &Point| (point.from_lower, beyond + point.from_upper);
-            let nodes = self.slopes_over_angle(from, a, points.iter().map(angle), &mut scratch);
-            for (((height, point), slope), distance) in heights.iter_mut().zip(points).zip(nodes.slopes).zip(nodes.distances) {
+            let nodes = self.f_prime_over_angle(from, a, points.iter().map(angle), &mut scratch);
+            for (((height, point), f_prime), distance) in heights.iter_mut().zip(points).zip(nodes.slopes).zip(nodes.distances) {
                 let factor = weight(lower + distance, angle(point).1.sin(), z, a);
-                *height = slope * Bounded { value: factor, error: 64.0 * f64::EPSILON * factor + f64::MIN_POSITIVE };
+                *height = f_prime * Bounded { value: factor, error: 64.0 * f64::EPSILON * factor + f64::MIN_POSITIVE };
             }
         };
         let panel = if self.singular && from == lower { Panel::singular(0.0, width) } else { Panel::smooth(0.0, width) };

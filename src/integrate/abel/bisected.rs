@@ -6,9 +6,9 @@ use crate::integrate::abel::over_root::{EndDistances, Weighted, proven_sum_over_
 use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range, resolved};
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{NumericSegment, Weight};
+use crate::integrate::source::f_prime::{Numbers, Scratch};
 use crate::integrate::source::leading_power::LeadingPower;
 use crate::integrate::source::limit::Limit;
-use crate::integrate::source::slope::{Numbers, Scratch};
 use crate::num::bounded::UNIT;
 use crate::num::stable::leg;
 use crate::num::{Bounded, Estimate, Region, forms};
@@ -23,7 +23,7 @@ impl NumericSegment {
     /// # Errors
     /// [`TransformError::NotComputable`] if f′ is not finite.
     pub(crate) fn by_pieces(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
-        if !self.slope.is_expression() || matches!(weight, Weight::Outside(_)) || !(x.is_normal() && self.lower.value < x) {
+        if !self.f_prime.is_expression() || matches!(weight, Weight::Outside(_)) || !(x.is_normal() && self.lower.value < x) {
             return Ok(None);
         }
         let Some(range) = self.enclosed(x, weight) else { return Ok(None) };
@@ -50,14 +50,14 @@ impl NumericSegment {
     pub(crate) fn features(&self, x: f64, tolerance: f64) -> Vec<f64> {
         /// The two halves of a range are always separated.
         const SMOOTH: usize = 4;
-        if !(self.slope.is_expression() && x.is_normal() && self.lower.value < x) {
+        if !(self.f_prime.is_expression() && x.is_normal() && self.lower.value < x) {
             return Vec::new();
         }
         let is_whole = !self.singular && self.upper.is_none_or(|upper| upper.value >= x);
-        if is_whole && self.sufficient(x, Weight::Slope).is_some() {
+        if is_whole && self.sufficient(x, Weight::Equivalent).is_some() {
             return Vec::new();
         }
-        let Some(mut range) = self.enclosed(x, Weight::Slope) else { return Vec::new() };
+        let Some(mut range) = self.enclosed(x, Weight::Equivalent) else { return Vec::new() };
         let places = resolved(&mut range, tolerance, x);
         if places.len() <= SMOOTH { Vec::new() } else { places.into_iter().map(|place| range.delta(place).0).collect() }
     }
@@ -97,7 +97,7 @@ impl<'a> Angles<'a> {
         let end = segment.upper.map_or(f64::INFINITY, |upper| upper.value);
         let width = forms::angle_between(segment.lower.value, end, x);
         let beyond = if end < x { leg(x, end).atan2(end) } else { 0.0 };
-        Self { segment, power: None, limit: None, x, weight: Weight::Slope, width, beyond, rounding: 16.0, slots: Vec::new() }
+        Self { segment, power: None, limit: None, x, weight: Weight::Equivalent, width, beyond, rounding: 16.0, slots: Vec::new() }
     }
 
     /// r − lower and the angle to r = x, from the angles to both ends.
@@ -123,7 +123,7 @@ impl<'a> Angles<'a> {
                 (share * share, (2.0 * self.rounding + 12.0) * UNIT, 0.0)
             }
             Weight::Integral => (rest.sin() * rest.sin(), self.rounding * UNIT, self.rounding * UNIT),
-            Weight::Slope | Weight::Outside(_) => (1.0, 0.0, 0.0),
+            Weight::Equivalent | Weight::Outside(_) => (1.0, 0.0, 0.0),
         }
     }
 
@@ -157,7 +157,7 @@ impl<'a> Angles<'a> {
         match self.weight {
             Weight::Force => (radii.r.largest() / self.x).powi(2) * (1.0 + 8.0 * UNIT),
             Weight::Integral => radii.sine.largest() * radii.sine.largest(),
-            Weight::Slope | Weight::Outside(_) => 1.0,
+            Weight::Equivalent | Weight::Outside(_) => 1.0,
         }
     }
 }
@@ -165,13 +165,13 @@ impl<'a> Angles<'a> {
 impl Weighted for Angles<'_> {
     fn largest_over(&mut self, angles: EndDistances) -> f64 {
         let radii = self.radii_over(angles);
-        let slope = match (self.limit, radii.below) {
+        let f_prime = match (self.limit, radii.below) {
             (Some((_, tape)), Some(below)) if angles.from_above => {
                 tape.run(&mut RegionAlgebra, &[below], &mut self.slots).map_or(f64::INFINITY, Region::largest)
             }
-            _ => self.segment.largest_slope(radii.delta, &mut self.slots),
+            _ => self.segment.largest_f_prime(radii.delta, &mut self.slots),
         };
-        let largest = slope * self.weight(&radii) * (1.0 + 8.0 * UNIT);
+        let largest = f_prime * self.weight(&radii) * (1.0 + 8.0 * UNIT);
         if largest.is_nan() { f64::INFINITY } else { largest }
     }
 
@@ -198,11 +198,11 @@ impl Range for Angles<'_> {
 
     fn size_at(&self, place: Place) -> f64 {
         let (delta, rest) = self.delta(place);
-        let slope = match self.limit {
-            Some((limit, _)) if place.from_above => limit.slope.plain(self.below(limit, rest).0),
-            _ => self.segment.slope.plain(delta),
+        let f_prime = match self.limit {
+            Some((limit, _)) if place.from_above => limit.f_prime.plain(self.below(limit, rest).0),
+            _ => self.segment.f_prime.plain(delta),
         };
-        slope * self.factor(delta, rest).0
+        f_prime * self.factor(delta, rest).0
     }
 
     fn largest(&mut self, piece: Piece, sigma: f64) -> f64 {
@@ -218,9 +218,9 @@ impl Range for Angles<'_> {
         let radii = self.radii(piece, 0.0);
         let (rest, power) = (own.rest_over(radii.delta, &mut self.slots), own.exponent);
         let v = piece.to * (1.0 + 8.0 * UNIT);
-        let slope = self.delta(Place { from_lower: v, from_upper: self.width - v, from_above: false }).0 / v;
+        let f_prime = self.delta(Place { from_lower: v, from_upper: self.width - v, from_above: false }).0 / v;
         // For s > 0, δ ≤ x v.
-        let steepness = if power < 0.0 { (slope * (1.0 - 1e-9)).powf(power) } else { self.x.powf(power) };
+        let steepness = if power < 0.0 { (f_prime * (1.0 - 1e-9)).powf(power) } else { self.x.powf(power) };
         let bound = rest * steepness * v.powf(1.0 + power) / (1.0 + power) * self.weight(&radii) * (1.0 + 1e-9);
         if bound.is_nan() { f64::INFINITY } else { bound + f64::MIN_POSITIVE }
     }
@@ -240,7 +240,7 @@ impl Range for Angles<'_> {
             };
             *factor = self.factor(delta, rest);
         }
-        let numbers: &Numbers = limit.map_or(&self.segment.slope, |limit| &limit.slope);
+        let numbers: &Numbers = limit.map_or(&self.segment.f_prime, |limit| &limit.f_prime);
         numbers.block(&arguments[..count], &doubts[..count], values, errors, scratch);
         let varies = self.segment.varies_next_to_lower();
         for (((value, error), (factor, share, flat)), argument) in values.iter_mut().zip(errors).zip(factors).zip(arguments) {

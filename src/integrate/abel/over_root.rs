@@ -2,8 +2,8 @@
 
 use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range, proven_sum};
 use crate::integrate::error::TransformError;
+use crate::integrate::source::f_prime::Scratch;
 use crate::integrate::source::leading_power::LeadingPower;
-use crate::integrate::source::slope::Scratch;
 use crate::num::bounded::UNIT;
 use crate::num::{Bounded, Estimate, Region};
 

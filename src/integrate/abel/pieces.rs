@@ -1,7 +1,7 @@
 //! Integrals by pieces, each with a rule proven sufficient by an enclosure of the integrand, so that no narrow feature is missed.
 
 use crate::integrate::error::TransformError;
-use crate::integrate::source::slope::Scratch;
+use crate::integrate::source::f_prime::Scratch;
 use crate::num::bounded::UNIT;
 use crate::num::double_double::DoubleDouble;
 use crate::num::legendre::{Node, rule_of};

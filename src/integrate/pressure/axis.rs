@@ -5,8 +5,8 @@ use crate::integrate::abel::bisected::Angles;
 use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range, proven_sum};
 use crate::integrate::integral::{NumericProfile, NumericSegment};
 use crate::integrate::pressure::pieces::pressure_of_segments;
+use crate::integrate::source::f_prime::{Numbers, Scratch};
 use crate::integrate::source::leading_power::LeadingPower;
-use crate::integrate::source::slope::{Numbers, Scratch};
 use crate::num::bounded::UNIT;
 use crate::num::{Bounded, Estimate, Region};
 
@@ -96,8 +96,8 @@ impl Range for Axis<'_> {
         // The kernel takes one power of r.
         let power = exponent - 1.0;
         let v = piece.to * (1.0 + 8.0 * UNIT);
-        let slope = self.angles.delta(Place { from_lower: v, from_upper: self.angles.width - v, from_above: false }).0 / v;
-        let steepness = if power < 0.0 { (slope * (1.0 - 1e-9)).powf(power) } else { self.angles.x.powf(power) };
+        let f_prime = self.angles.delta(Place { from_lower: v, from_upper: self.angles.width - v, from_above: false }).0 / v;
+        let steepness = if power < 0.0 { (f_prime * (1.0 - 1e-9)).powf(power) } else { self.angles.x.powf(power) };
         let bound = rest * steepness * v.powf(1.0 + power) / (1.0 + power) * self.weight(radii.phi, radii.sine) * (1.0 + 1e-9);
         if bound >= 0.0 && 1.0 + power > 0.0 { bound + f64::MIN_POSITIVE } else { f64::INFINITY }
     }

@@ -5,7 +5,7 @@ use crate::integrate::ask::{ELLIPTIC, LEGENDRE, LEGENDRE_SAMPLED, OVER_U, OVER_U
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{MOST, NumericProfile, NumericSegment, reached, settled, with_ulps};
 use crate::integrate::source::endpoint::Endpoint;
-use crate::integrate::source::slope::{Numbers, Scratch};
+use crate::integrate::source::f_prime::{Numbers, Scratch};
 use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
 use crate::num::{Bounded, Estimate, special};
 
@@ -121,10 +121,10 @@ impl NumericProfile {
         };
         for segment in &self.segments {
             if segment.lower.value > 0.0 && segment.lower.value < a {
-                add(segment.lower, segment.ends.0, segment.slope_at(0.0));
+                add(segment.lower, segment.ends.0, segment.f_prime_at(0.0));
             }
             if let (Some(upper), Some(end)) = (segment.upper.filter(|u| u.value < a), segment.ends.1) {
-                add(upper, end, -segment.slope_at(upper.value - segment.lower.value));
+                add(upper, end, -segment.f_prime_at(upper.value - segment.lower.value));
             }
         }
         for Jump { height, .. } in &mut jumps {
@@ -139,7 +139,7 @@ impl NumericProfile {
     pub(crate) fn starts_steeply(&self, a: f64) -> bool {
         let Some(first) = self.segments.iter().find(|segment| segment.lower.value == 0.0) else { return false };
         let r = (1e-12 * a).max(1e3 * f64::MIN_POSITIVE);
-        let (near, nearer) = (first.slope_at(r), first.slope_at(1e-3 * r));
+        let (near, nearer) = (first.f_prime_at(r), first.f_prime_at(1e-3 * r));
         // f′ ~ r^m with m > 0 decreases by 10^(3m); a slower decrease, or rounding noise, counts as steep.
         nearer.value.abs() > nearer.error && nearer.value.abs() > 0.99 * near.value.abs()
     }
@@ -157,8 +157,8 @@ pub(crate) struct Jump {
 const NARROW: f64 = 1e-5;
 
 impl NumericSegment {
-    pub(crate) fn slope_at(&self, delta: f64) -> Bounded {
-        self.slope.at(Bounded::exact(delta), &mut Vec::new())
+    pub(crate) fn f_prime_at(&self, delta: f64) -> Bounded {
+        self.f_prime.at(Bounded::exact(delta), &mut Vec::new())
     }
 
     /// ∫ (r f′)′ K(r, s) dr over the interval below a, split at s.

@@ -1,7 +1,7 @@
 //! The pressure of a smooth odd f′ by its Legendre expansion in r²: no inner integral and no second derivative.
 
 use crate::integrate::integral::{NumericProfile, NumericSegment};
-use crate::integrate::source::slope::Scratch;
+use crate::integrate::source::f_prime::Scratch;
 use crate::num::Estimate;
 use crate::num::bounded::UNIT;
 use crate::num::quadrature::{Extent, Known};
@@ -168,10 +168,10 @@ impl NumericSegment {
         const SIGMAS: [f64; 8] = [3.2, 2.4, 1.8, 1.3, 0.95, 0.7, 0.5, 0.35];
         /// A fraction of the largest value far below the rounding error.
         const NOTHING: f64 = 0.05 * f64::EPSILON;
-        if !self.slope.is_expression() {
+        if !self.f_prime.is_expression() {
             return None;
         }
-        let size = [0.3, 0.6, 0.95].map(|share| (self.slope.plain(share * low) / (share * low)).abs());
+        let size = [0.3, 0.6, 0.95].map(|share| (self.f_prime.plain(share * low) / (share * low)).abs());
         let size = size.into_iter().filter(|size| size.is_finite()).fold(0.0, f64::max);
         let extent = Extent::new(0.0, high, None);
         let mut slots = Vec::new();
@@ -180,7 +180,7 @@ impl NumericSegment {
             .filter_map(|sigma| {
                 // The factor accounts for the division by |r|/a on the ellipse.
                 let (region, factor) = self.around(low, &extent, sigma, false)?;
-                let largest = self.largest_slope(region, &mut slots) * factor / low;
+                let largest = self.largest_f_prime(region, &mut slots) * factor / low;
                 (largest * (1.0 + 1e-9) < f64::INFINITY).then_some((sigma, largest * (1.0 + 1e-9)))
             })
             .collect();
@@ -208,7 +208,7 @@ impl NumericSegment {
                 *r = (a * unit.sqrt()).max(f64::MIN_POSITIVE);
                 *doubt = 4.0 * UNIT * *r;
             }
-            self.slope.block(&radii[..units.len()], &doubts[..units.len()], values, errors, &mut scratch);
+            self.f_prime.block(&radii[..units.len()], &doubts[..units.len()], values, errors, &mut scratch);
             for ((value, error), r) in values.iter_mut().zip(errors).zip(radii) {
                 *value /= r;
                 *error = *error / r + 6.0 * UNIT * value.abs();

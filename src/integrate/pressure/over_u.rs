@@ -2,7 +2,7 @@
 
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{NumericProfile, NumericSegment, Weight, stricter};
-use crate::integrate::source::slope::Numbers;
+use crate::integrate::source::f_prime::Numbers;
 use crate::num::bounded::UNIT;
 use crate::num::quadrature::{EvenIntegrand, Known, Mean, Middles, Nodes, mean};
 use crate::num::stable::leg;
@@ -51,13 +51,13 @@ impl NumericProfile {
             return None;
         }
         let bend = segment.bend().ok()?;
-        let slope_at = segment.bend_rule(bend, a)?;
+        let f_prime_at = segment.bend_rule(bend, a)?;
         let reach = (leg(a, s) / s).asinh();
         // The number of rounding errors of x grows like u.
         if reach > FARTHEST {
             return None;
         }
-        let size = slope_at(a).ok()?.value.abs().max(slope_at(s).ok()?.value.abs());
+        let size = f_prime_at(a).ok()?.value.abs().max(f_prime_at(s).ok()?.value.abs());
         let (mut best, mut slots): (Option<(Known, f64)>, Vec<Region>) = (None, Vec::new());
         for sigma in SIGMAS {
             // r lies between 0 and x = s cosh u, with u in one half of the ellipse, which suffices by symmetry.
@@ -75,7 +75,7 @@ impl NumericProfile {
             best = Some((known, largest / (sigma.cosh() - 1.0)));
         }
         let (known, steepness) = best?;
-        let mut slopes = ProvenSlopes { slope_at: &slope_at, s, a, reach, evaluations: 0 };
+        let mut slopes = ProvenSlopes { f_prime_at: &f_prime_at, s, a, reach, evaluations: 0 };
         let Mean { value, noise, .. } = known.mean(&mut slopes).ok()?;
         let rounding = (8.0 + 4.0 / reach) * UNIT * steepness;
         let (value, left_out, noise) = (reach * value, reach * known.left_out, reach * (noise + rounding));
@@ -87,7 +87,7 @@ impl NumericProfile {
 
 /// g′(s cosh u) by one rule.
 struct ProvenSlopes<'a, F> {
-    slope_at: &'a F,
+    f_prime_at: &'a F,
     s: f64,
     a: f64,
     reach: f64,
@@ -102,7 +102,7 @@ impl<F: Fn(f64) -> Result<Estimate, TransformError>> EvenIntegrand for ProvenSlo
     fn fill(&mut self, nodes: Nodes<'_>, values: &mut [f64], errors: &mut [f64]) {
         for ((value, error), z) in values.iter_mut().zip(errors).zip(nodes.z) {
             let x = (self.s * (self.reach * z).cosh()).min(self.a);
-            let found = (self.slope_at)(x).unwrap_or(Estimate::estimated(f64::NAN, f64::NAN, 0));
+            let found = (self.f_prime_at)(x).unwrap_or(Estimate::estimated(f64::NAN, f64::NAN, 0));
             (*value, *error) = (found.value, found.error);
             self.evaluations += found.evaluations;
         }
@@ -136,7 +136,7 @@ impl EvenIntegrand for Slopes<'_> {
         for ((value, error), z) in values.iter_mut().zip(errors).zip(nodes.z) {
             let x = (self.s * (self.reach * z).cosh()).min(self.a);
             let tolerance = INNER * self.tolerance;
-            let found = self.segment.nested(self.bend, x, Weight::Slope, (tolerance, stricter(tolerance)), self.largest);
+            let found = self.segment.nested(self.bend, x, Weight::Equivalent, (tolerance, stricter(tolerance)), self.largest);
             // NaN makes the outer rules give up.
             let found = found.ok().flatten().unwrap_or(Estimate::estimated(f64::NAN, f64::NAN, 0));
             (*value, *error) = (found.value, found.error);

@@ -5,8 +5,8 @@ use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range};
 use crate::integrate::integral::{NumericProfile, NumericSegment};
 use crate::integrate::pressure::direct::{Distances, kernel};
 use crate::integrate::source::endpoint::Endpoint;
+use crate::integrate::source::f_prime::{Numbers, Scratch};
 use crate::integrate::source::leading_power::LeadingPower;
-use crate::integrate::source::slope::{Numbers, Scratch};
 use crate::num::bounded::UNIT;
 use crate::num::{Bounded, Estimate, Region};
 

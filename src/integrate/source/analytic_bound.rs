@@ -3,7 +3,7 @@
 use crate::integrate::abel::angle_substitution::{Bounds, NEAR_THE_LIMIT};
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{NumericSegment, Weight};
-use crate::integrate::source::slope::Numbers;
+use crate::integrate::source::f_prime::Numbers;
 use crate::num::bounded::UNIT;
 use crate::num::quadrature::{Extent, Form, Known};
 use crate::num::{Estimate, Region, work};
@@ -103,13 +103,13 @@ impl NumericSegment {
         let Some(own) = self.sufficient(x, weight) else { return Ok(None) };
         let enough = |found: &Estimate| found.error <= tolerance * found.value.abs();
         if own.share <= LITTLE * tolerance {
-            let mut found = self.by(&self.slope, own.known, x, weight, Bounds::None)?;
+            let mut found = self.by(&self.f_prime, own.known, x, weight, Bounds::None)?;
             found.add_noise(own.noise);
             if enough(&found.estimate) {
                 return Ok(Some(found.estimate));
             }
         }
-        let found = self.by(&self.slope, own.known, x, weight, Bounds::Running)?;
+        let found = self.by(&self.f_prime, own.known, x, weight, Bounds::Running)?;
         // No other rule reduces the rounding error.
         let rounded = found.left_out <= SMALL * found.noise && found.estimate.error <= SMALL * found.estimate.value.abs();
         Ok((rounded || enough(&found.estimate)).then_some(found.estimate))
@@ -134,7 +134,7 @@ impl NumericSegment {
         };
         // A smaller x needs f′ within the same rectangle.
         let known = known_of(rule)?;
-        Some(move |x: f64| Ok(self.by(bend, known, x, Weight::Slope, Bounds::Running)?.estimate))
+        Some(move |x: f64| Ok(self.by(bend, known, x, Weight::Equivalent, Bounds::Running)?.estimate))
     }
 
     /// The sufficient number of terms of the Legendre expansion of the pressure for a contact of radius a, and a bound on their
@@ -166,7 +166,7 @@ impl NumericSegment {
     #[inline]
     pub fn sufficient(&self, x: f64, weight: Weight) -> Option<Sufficient> {
         let list = match weight {
-            Weight::Slope => 0,
+            Weight::Equivalent => 0,
             Weight::Force => 1,
             Weight::Integral | Weight::Outside(_) => 2,
         };
@@ -192,16 +192,16 @@ impl NumericSegment {
     /// Whether no rule of a reasonable size is proven sufficient away from the end of f′, according to its expression.
     pub(crate) fn is_intricate(&self, x: f64, weight: Weight) -> bool {
         let near_the_end = self.limit.as_ref().is_some_and(|limit| x > 0.9 * NEAR_THE_LIMIT * limit.value.value);
-        self.slope.is_expression() && !self.singular && !near_the_end && self.sufficient(x, weight).is_none()
+        self.f_prime.is_expression() && !self.singular && !near_the_end && self.sufficient(x, weight).is_none()
     }
 
     /// Determines the entry for all x between two neighbours in the list.
     #[cold]
     fn entry(&self, place: u64, weight: Weight, own: &Entry) -> u64 {
         let (low, high) = (f64::from_bits(place << BELOW), f64::from_bits((place + 1) << BELOW));
-        let (weighted, mut slots) = (!matches!(weight, Weight::Slope), Vec::new());
-        let around = |region: Region| self.slope.largest(region, &mut slots);
-        let Some(known) = self.fewest(&self.slope, around, (low.max(self.lower.value), high), weighted) else {
+        let (weighted, mut slots) = (!matches!(weight, Weight::Equivalent), Vec::new());
+        let around = |region: Region| self.f_prime.largest(region, &mut slots);
+        let Some(known) = self.fewest(&self.f_prime, around, (low.max(self.lower.value), high), weighted) else {
             return store(own, None);
         };
         let (noise, share) = self.noise(known, (low, high), weight);
@@ -226,7 +226,7 @@ impl NumericSegment {
     /// # Errors
     /// [`TransformError::NotComputable`] if f′ is not finite.
     pub fn noise_at(&self, known: Known, x: f64, weight: Weight) -> Result<(f64, f64), TransformError> {
-        let found = self.by(&self.slope, known, x, weight, Bounds::NearBy)?;
+        let found = self.by(&self.f_prime, known, x, weight, Bounds::NearBy)?;
         Ok((found.noise, found.mean.abs()))
     }
 

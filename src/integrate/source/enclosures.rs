@@ -3,8 +3,8 @@
 use crate::eval::{IntervalAlgebra, RegionAlgebra, Tape};
 use crate::expr::{Expr, Node, Symbol};
 use crate::integrate::integral::{NumericProfile, NumericSegment, shifted};
+use crate::integrate::source::f_prime::Numbers;
 use crate::integrate::source::leading_power::LeadingPower;
-use crate::integrate::source::slope::Numbers;
 use crate::num::{Region, work};
 
 /// The fraction of a range that is examined.
@@ -12,19 +12,19 @@ const NEXT_TO_THE_END: f64 = 1e-3;
 
 impl NumericSegment {
     /// A bound on |f′| for δ in a part of the complex plane where it is analytic; else infinite.
-    pub(crate) fn largest_slope(&self, delta: Region, slots: &mut Vec<Region>) -> f64 {
-        match &self.slope {
+    pub(crate) fn largest_f_prime(&self, delta: Region, slots: &mut Vec<Region>) -> f64 {
+        match &self.f_prime {
             Numbers::Tape(_) => enclosed(self.enclosing(), delta, slots),
             own => own.largest(delta, slots),
         }
     }
 
     /// Bounds on f′ for δ between two numbers; `None` if unknown.
-    fn slope_over(&self, from: f64, to: f64) -> Option<(f64, f64)> {
+    fn f_prime_over(&self, from: f64, to: f64) -> Option<(f64, f64)> {
         let (delta, mut slots) = (Region::interval(from, to), Vec::new());
         let own = self.enclosing()?.run(&mut IntervalAlgebra, &[delta], &mut slots)?;
         // Magnitudes have bounds where intermediate values leave the range of doubles.
-        own.real_range().or_else(|| Some(self.largest_slope(delta, &mut slots)).filter(|most| most.is_finite()).map(|most| (-most, most)))
+        own.real_range().or_else(|| Some(self.largest_f_prime(delta, &mut slots)).filter(|most| most.is_finite()).map(|most| (-most, most)))
     }
 
     /// The same for (r f′)′.
@@ -40,8 +40,8 @@ impl NumericSegment {
     fn enclosing(&self) -> Option<&Tape> {
         let tape = self.enclosing.get_or_init(|| {
             work::unbroken(|| {
-                let ((slope, lower), delta) = (self.source.as_ref()?, Symbol::new("δ"));
-                Tape::for_enclosures(&[shifted(slope, lower, &Expr::from(delta.clone()))], &[delta]).ok()
+                let ((f_prime, lower), delta) = (self.source.as_ref()?, Symbol::new("δ"));
+                Tape::for_enclosures(&[shifted(f_prime, lower, &Expr::from(delta.clone()))], &[delta]).ok()
             })
         });
         tape.as_ref()
@@ -49,7 +49,7 @@ impl NumericSegment {
 
     /// The leading power of f′, if its enclosures near the lower end of a range up to x are unbounded.
     pub(crate) fn power_for(&self, x: f64) -> Option<&LeadingPower> {
-        let unbounded = || !self.largest_slope(Region::interval(0.0, NEXT_TO_THE_END * x), &mut Vec::new()).is_finite();
+        let unbounded = || !self.largest_f_prime(Region::interval(0.0, NEXT_TO_THE_END * x), &mut Vec::new()).is_finite();
         if self.singular || (self.lower.value == 0.0 && unbounded()) { self.leading_power() } else { None }
     }
 
@@ -63,7 +63,7 @@ impl NumericSegment {
     }
 
     fn may_have_root(&self) -> bool {
-        self.begins_at_axis() && self.source.as_ref().is_some_and(|(slope, _)| has_root(slope))
+        self.begins_at_axis() && self.source.as_ref().is_some_and(|(f_prime, _)| has_root(f_prime))
     }
 
     /// The leading power of (r f′)′, if its enclosures near the lower end of a range up to x are unbounded.
@@ -81,8 +81,8 @@ impl NumericSegment {
     pub(crate) fn leading_power(&self) -> Option<&LeadingPower> {
         let power = self.power.get_or_init(|| {
             work::unbroken(|| {
-                let (slope, lower) = self.source.as_ref()?;
-                leading_power(slope, lower)
+                let (f_prime, lower) = self.source.as_ref()?;
+                leading_power(f_prime, lower)
             })
         });
         power.as_ref()
@@ -118,7 +118,7 @@ impl NumericProfile {
         sum_of_ranges(self.segments.iter().filter(reaches).map(|own| {
             let start = own.lower.value;
             let (from, to) = (lower - start, upper - start);
-            if start == 0.0 { own.slope_over(from, to) } else { own.slope_over(from.next_down().max(0.0), to.next_up()) }
+            if start == 0.0 { own.f_prime_over(from, to) } else { own.f_prime_over(from.next_down().max(0.0), to.next_up()) }
         }))
     }
 
@@ -126,7 +126,7 @@ impl NumericProfile {
     pub(crate) fn power_at_axis(&self, radius: f64) -> Option<(f64, f64)> {
         let (near, mut slots) = (Region::interval(0.0, radius), Vec::new());
         let powers = self.segments.iter().filter(|own| own.lower.value < radius).map(|own| {
-            let plain = (0.0, own.largest_slope(near, &mut slots));
+            let plain = (0.0, own.largest_f_prime(near, &mut slots));
             let power = if plain.1.is_finite() { None } else { own.leading_power() };
             let (s, most) = power.map_or(plain, |power| (power.exponent, power.rest_over(near, &mut slots)));
             most.is_finite().then_some((s, most))

@@ -17,9 +17,9 @@ pub enum Growth {
 }
 
 /// The largest growth of f′ towards the ends of its piece, the axis left out.
-pub fn growth(slope: &Expr, segment: &Segment) -> Growth {
+pub fn growth(f_prime: &Expr, segment: &Segment) -> Growth {
     let ends = [Some(&segment.lower), segment.upper.as_ref()].into_iter().flatten().filter(|end| !end.is_zero());
-    ends.map(|end| towards(slope, &Bindings::one("r", end.clone()))).max().unwrap_or(Growth::Bounded)
+    ends.map(|end| towards(f_prime, &Bindings::one("r", end.clone()))).max().unwrap_or(Growth::Bounded)
 }
 
 fn towards(expr: &Expr, place: &Bindings) -> Growth {

@@ -3,7 +3,7 @@
 use crate::eval::{RegionAlgebra, Tape};
 use crate::expr::{Expr, Symbol};
 use crate::integrate::error::TransformError;
-use crate::integrate::source::slope::Numbers;
+use crate::integrate::source::f_prime::Numbers;
 use crate::num::{Bounded, Region, work};
 use std::sync::OnceLock;
 
@@ -11,7 +11,7 @@ use std::sync::OnceLock;
 pub struct Limit {
     pub(crate) value: Bounded,
     /// f′ over the distance δ to the limit.
-    pub(crate) slope: Numbers,
+    pub(crate) f_prime: Numbers,
     /// The same as an expression.
     source: Expr,
     enclosing: OnceLock<Option<Tape>>,
@@ -33,8 +33,8 @@ impl Limit {
     /// # Errors
     /// [`TransformError::Evaluation`] if a parameter has no value.
     pub fn new(value: Bounded, source: Expr) -> Result<Self, TransformError> {
-        let slope = Numbers::Tape(Tape::compile(std::slice::from_ref(&source), &[Symbol::new("δ")])?);
-        Ok(Self { value, slope, source, enclosing: OnceLock::new(), featureless: OnceLock::new() })
+        let f_prime = Numbers::Tape(Tape::compile(std::slice::from_ref(&source), &[Symbol::new("δ")])?);
+        Ok(Self { value, f_prime, source, enclosing: OnceLock::new(), featureless: OnceLock::new() })
     }
 
     /// f′ over the distance to the limit for enclosures.
@@ -59,7 +59,7 @@ impl Limit {
                 let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
                 let around = Region::new((middle - AXES.0 * half, middle + AXES.0 * half), (-AXES.1 * half, AXES.1 * half));
                 let largest = tape.run(&mut RegionAlgebra, &[around], &mut slots).map_or(f64::INFINITY, Region::largest);
-                let size = [from, middle, to].map(|delta| self.slope.plain(delta).abs()).into_iter().fold(0.0, f64::max);
+                let size = [from, middle, to].map(|delta| self.f_prime.plain(delta).abs()).into_iter().fold(0.0, f64::max);
                 let plain = largest <= LARGEST_RATIO * size;
                 if !plain {
                     if half < SHORTEST * middle {

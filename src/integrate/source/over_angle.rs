@@ -1,7 +1,7 @@
 //! f′ at the nodes of a quadrature over the angle t, r = x sin t.
 
 use crate::integrate::integral::{MOST, NumericSegment, with_ulps};
-use crate::integrate::source::slope::Scratch;
+use crate::integrate::source::f_prime::Scratch;
 use crate::num::Bounded;
 use crate::num::quadrature::growth_below_normal;
 
@@ -16,7 +16,7 @@ pub(crate) struct Nodes {
 impl NumericSegment {
     /// Returns f′ at nodes beyond the radius `from`. Each angle is given twice: measured from the angle of `from`, and as the
     /// remainder to π/2.
-    pub(crate) fn slopes_over_angle(
+    pub(crate) fn f_prime_over_angle(
         &self,
         from: f64,
         x: f64,
@@ -42,10 +42,10 @@ impl NumericSegment {
             let own = if *normal > 2.0 * self.lower.error { self.lower.error } else { 0.0 };
             *doubt = with_ulps(*normal, 12.0).error + own;
         }
-        self.slope.block(&normal[..count], &doubts[..count], &mut values[..count], &mut errors[..count], scratch);
+        self.f_prime.block(&normal[..count], &doubts[..count], &mut values[..count], &mut errors[..count], scratch);
         let mut slopes = [Bounded::exact(0.0); MOST];
-        for (((slope, value), error), growth) in slopes.iter_mut().zip(values).zip(errors).zip(growths) {
-            *slope = Bounded { value, error: error + growth * value.abs() };
+        for (((f_prime, value), error), growth) in slopes.iter_mut().zip(values).zip(errors).zip(growths) {
+            *f_prime = Bounded { value, error: error + growth * value.abs() };
         }
         Nodes { distances, doubts, slopes }
     }

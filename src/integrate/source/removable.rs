@@ -4,7 +4,7 @@
 //! series with a proven remainder, whose derivative is f′ without cancellation. Away from the axis the expression is accurate.
 
 use crate::integrate::integral::{NumericProfile, NumericSegment, compile_shifted, is_singular};
-use crate::integrate::source::slope::{Numbers, Scratch, rescue_block, rescued};
+use crate::integrate::source::f_prime::{Numbers, Scratch, rescue_block, rescued};
 
 use crate::eval::{BlockInput, BoundedAlgebra, FloatAlgebra, RegionAlgebra, RoundingAlgebra, Series, Tape, power_series};
 use crate::expr::{Expr, Node, Number, Sign, Symbol, leading_term, multiplied_out, sign};
@@ -54,13 +54,13 @@ struct Group {
 }
 
 /// True if an expression divides by a term that may vanish at the axis, and is inaccurate or has no enclosure there.
-pub(crate) fn is_ragged(slope: &Expr, tape: &Tape, singular: bool, scale: f64) -> bool {
+pub(crate) fn is_ragged(f_prime: &Expr, tape: &Tape, singular: bool, scale: f64) -> bool {
     let radius = Symbol::new("r");
     let divisor = |own: &Expr| match own.node() {
         Node::Power(base, exponent) if sign(exponent) != Sign::Positive && base.contains(&radius) => Some(base.clone()),
         _ => None,
     };
-    let divisors: Vec<Expr> = slope.parts().filter_map(divisor).collect();
+    let divisors: Vec<Expr> = f_prime.parts().filter_map(divisor).collect();
     if divisors.is_empty() {
         return false;
     }
@@ -298,7 +298,7 @@ impl Group {
 
 impl Removable {
     /// f′ by its tape away from the axis.
-    pub(crate) fn slope(tape: Tape, near: &AxisSeries) -> Self {
+    pub(crate) fn f_prime(tape: Tape, near: &AxisSeries) -> Self {
         Self { tape, near: near.clone() }
     }
 
@@ -381,11 +381,11 @@ impl NumericProfile {
     pub(crate) fn mended(mut self, whole: impl Fn(&Expr) -> Option<Expr>) -> Self {
         let begins = |own: &NumericSegment| own.lower.value == 0.0;
         for segment in self.segments.iter_mut().filter(|own| own.ragged && begins(own)) {
-            let Some((slope, lower)) = &segment.source else { continue };
-            let Some(near) = whole(slope).and_then(|f| AxisSeries::of(&f)) else { continue };
-            let Ok(tape) = compile_shifted(slope, lower) else { continue };
-            segment.slope = Numbers::Removable(Box::new(Removable::slope(tape, &near)));
-            segment.singular = near.has_fractions() || is_singular(&segment.slope, 0.0, segment.upper.map(|upper| upper.value));
+            let Some((f_prime, lower)) = &segment.source else { continue };
+            let Some(near) = whole(f_prime).and_then(|f| AxisSeries::of(&f)) else { continue };
+            let Ok(tape) = compile_shifted(f_prime, lower) else { continue };
+            segment.f_prime = Numbers::Removable(Box::new(Removable::f_prime(tape, &near)));
+            segment.singular = near.has_fractions() || is_singular(&segment.f_prime, 0.0, segment.upper.map(|upper| upper.value));
             // The parity of the expression is unknown if it contains a root that vanishes at the axis.
             segment.odd = near.is_odd();
             segment.near = Some(near);

@@ -31,7 +31,7 @@ pub(in crate::tradeoff) fn ladder<'a>(problem: &'a Problem<'a>, _: &'a Evaluator
     let by_slices = move |at: &[f64], out: &mut [f64]| {
         let out = Slice::values(out);
         let done = match (problem.quantity, radius) {
-            (Quantity::Equivalent, _) => slices.slopes(at, out),
+            (Quantity::Equivalent, _) => slices.equivalents(at, out),
             (Quantity::Force, _) => slices.forces(at, out),
             (_, radius) => slices.pressures(at, radius.unwrap_or(1.0), out),
         };

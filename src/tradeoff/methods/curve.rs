@@ -54,7 +54,7 @@ impl<'a> Built<'a> {
     fn at(&self, quantity: Quantity, at: f64) -> Result<Estimate, String> {
         let found = match (self, quantity) {
             (Self::Along(curve), Quantity::Force) => curve.force(at).map(Some),
-            (Self::Along(curve), _) => curve.slope(at).map(Some),
+            (Self::Along(curve), _) => curve.equivalent(at).map(Some),
             (Self::Pressure(curve), _) => curve.at(at),
         };
         found.map_err(|error| error.to_string())?.ok_or_else(|| "the value is infinite by theory".to_owned())
@@ -63,7 +63,7 @@ impl<'a> Built<'a> {
     fn fill(&self, quantity: Quantity, at: &[f64], out: &mut [f64]) -> Result<(), TransformError> {
         match (self, quantity) {
             (Self::Along(curve), Quantity::Force) => curve.force_slice(at, out),
-            (Self::Along(curve), _) => curve.slope_slice(at, out),
+            (Self::Along(curve), _) => curve.equivalent_slice(at, out),
             (Self::Pressure(curve), _) => {
                 for (at, out) in at.iter().zip(out) {
                     *out = curve.at(*at)?.map_or(f64::NAN, |own| own.value);

@@ -17,7 +17,7 @@ pub(in crate::tradeoff) fn ladder<'a>(problem: &'a Problem<'a>, _: &'a Evaluator
         return Err(refused("it answers forces: --quantity F"));
     }
     let evaluator = Evaluator::new(problem.solution, &Bindings::default(), Method::Auto, 1e-13).map_err(|e| refused(&e.to_string()))?;
-    let g = move |x: f64| evaluator.slope(x).map(|own| own.estimate.value);
+    let g = move |x: f64| evaluator.equivalent(x).map(|own| own.estimate.value);
     let depths: Vec<f64> = problem.points.iter().map(|a| g(*a)).collect::<Result<_, _>>().map_err(|e| refused(&e.to_string()))?;
     let mut order: Vec<(f64, f64)> = problem.points.iter().copied().zip(depths.iter().copied()).collect();
     order.sort_by(|one, other| one.0.total_cmp(&other.0));

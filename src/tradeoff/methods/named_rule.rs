@@ -19,7 +19,7 @@ pub(in crate::tradeoff) fn ladder<'a>(problem: &'a Problem<'a>, evaluator: &'a E
     let value = move |at: f64, tolerance: f64, rule: Rule| -> Result<Estimate, String> {
         let found = match problem.quantity {
             Quantity::Force => typed.force_by(at, tolerance, rule),
-            _ => typed.slope_by(at, tolerance, rule),
+            _ => typed.equivalent_by(at, tolerance, rule),
         };
         found.map_err(|error| error.to_string())
     };

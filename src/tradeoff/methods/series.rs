@@ -30,7 +30,7 @@ pub(in crate::tradeoff) fn ladder<'a>(problem: &'a Problem<'a>, _: &'a Evaluator
 
 fn read(problem: &Problem<'_>, series: &SeriesEvaluator, at: f64) -> Result<Estimate, String> {
     let reading = match (problem.quantity, problem.radius) {
-        (Quantity::Equivalent, _) => series.slope(at),
+        (Quantity::Equivalent, _) => series.equivalent(at),
         (Quantity::Force, _) => series.force(at),
         (_, radius) => series.pressure(at, radius.unwrap_or(at)),
     };

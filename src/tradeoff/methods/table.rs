@@ -41,7 +41,7 @@ fn height(evaluator: &Evaluator<'_>, r: f64) -> Result<f64, TransformError> {
 /// The value of the table, without its bounds, which apply to its cubics and not to the formula.
 fn read(problem: &Problem<'_>, table: &TableProfile, at: f64) -> Result<Estimate, String> {
     let found = match (problem.quantity, problem.radius) {
-        (Quantity::Equivalent, _) => table.slope(at).map(Some),
+        (Quantity::Equivalent, _) => table.equivalent(at).map(Some),
         (Quantity::Force, _) => table.force(at).map(Some),
         (_, radius) => table.pressure(at, radius.unwrap_or(at)),
     };

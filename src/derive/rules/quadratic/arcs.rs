@@ -19,7 +19,7 @@ pub(in crate::derive::rules) static ATAN_EVEN: Rule = Rule {
     id: "even-arctangent",
     title: "Even powers of r times atan(r/w)",
     pattern: "h*(r*atan(r/w)-w/2*ln(1+r^2/w^2))",
-    slope: "2*h*x*(x/(w+sqrt(w^2+x^2)))*hyper([1/2,1/2,1],[3/2,3/2],(x/(w+sqrt(w^2+x^2)))^2)",
+    equivalent: "2*h*x*(x/(w+sqrt(w^2+x^2)))*hyper([1/2,1/2,1],[3/2,3/2],(x/(w+sqrt(w^2+x^2)))^2)",
     force: "E*h*(2*a^2*(a/(w+sqrt(w^2+a^2)))*hyper([1/2,1/2,1],[3/2,3/2],(a/(w+sqrt(w^2+a^2)))^2)\
             +w*(sqrt(w^2+a^2)*asinh(a/w)-a))",
     apply: |term| apply(term, Kernel::Arctangent, "atan", false, Extent::Whole),
@@ -30,7 +30,7 @@ pub(in crate::derive::rules) static ATAN_ODD: Rule = Rule {
     id: "odd-arctangent",
     title: "Odd powers of r times atan(r/w)",
     pattern: "h*((w^2+r^2)*atan(r/w)-w*r)",
-    slope: "pi*h*x*(sqrt(w^2+x^2)-w)",
+    equivalent: "pi*h*x*(sqrt(w^2+x^2)-w)",
     force: "2*pi/3*E*h*((2*a^2-w^2)*sqrt(w^2+a^2)+w^3-3/2*w*a^2)",
     pressure: Some(
         "E*h*((w^2+2*r^2)/r*ellipf(atan(sqrt(a^2-r^2)/sqrt(w^2+r^2)),-w^2/r^2)\
@@ -44,7 +44,7 @@ pub(in crate::derive::rules) static ATANH_EVEN: Rule = Rule {
     id: "even-artanh",
     title: "Even powers of r times artanh(r/R)",
     pattern: "h*(r*atanh(r/R)+R/2*ln(1-r^2/R^2))",
-    slope: "2*h*x*(x/(R+sqrt(R^2-x^2)))*hyper([1/2,1/2,1],[3/2,3/2],-(x/(R+sqrt(R^2-x^2)))^2)",
+    equivalent: "2*h*x*(x/(R+sqrt(R^2-x^2)))*hyper([1/2,1/2,1],[3/2,3/2],-(x/(R+sqrt(R^2-x^2)))^2)",
     force: "E*h*(2*a^2*(a/(R+sqrt(R^2-a^2)))*hyper([1/2,1/2,1],[3/2,3/2],-(a/(R+sqrt(R^2-a^2)))^2)\
             +R*(a-sqrt(R^2-a^2)*asin(a/R)))",
     parameters: &[H, R],
@@ -57,7 +57,7 @@ pub(in crate::derive::rules) static ATANH_ODD: Rule = Rule {
     id: "odd-artanh",
     title: "Odd powers of r times artanh(r/R)",
     pattern: "h*(R*r-(R^2-r^2)*atanh(r/R))",
-    slope: "pi*h*x*(R-sqrt(R^2-x^2))",
+    equivalent: "pi*h*x*(R-sqrt(R^2-x^2))",
     force: "2*pi/3*E*h*(R^3+3/2*R*a^2-(2*a^2+R^2)*sqrt(R^2-a^2))",
     parameters: &[H, R],
     guard: INSIDE,
@@ -73,7 +73,7 @@ pub(in crate::derive::rules) static WORN_ATAN: Rule = Rule {
     id: "worn-odd-arctangent",
     title: "Odd powers of r times atan(r/w) on a segment",
     pattern: "piecewise(0, r<b, h*((w^2+r^2)*atan(r/w)-w*r-(w^2+b^2)*atan(b/w)+w*b))",
-    slope: "piecewise(0, x<b, 2*h*x*(sqrt(w^2+x^2)*atan(w*sqrt(x^2-b^2)/(b*sqrt(w^2+x^2)))-w*acos(b/x)+sqrt(x^2-b^2)*atan(b/w)))",
+    equivalent: "piecewise(0, x<b, 2*h*x*(sqrt(w^2+x^2)*atan(w*sqrt(x^2-b^2)/(b*sqrt(w^2+x^2)))-w*acos(b/x)+sqrt(x^2-b^2)*atan(b/w)))",
     force: "piecewise(0, a<b, 4/3*E*h*((2*a^2-w^2)*sqrt(w^2+a^2)*atan(w*sqrt(a^2-b^2)/(b*sqrt(w^2+a^2)))\
             +(w^3-3/2*w*a^2)*acos(b/a)+(2*a^2+b^2)*sqrt(a^2-b^2)*atan(b/w)-w*b*sqrt(a^2-b^2)/2))",
     parameters: &[H, W, B],
@@ -86,7 +86,7 @@ pub(in crate::derive::rules) static WORN_ATANH: Rule = Rule {
     id: "worn-odd-artanh",
     title: "Odd powers of r times artanh(r/R) on a segment",
     pattern: "piecewise(0, r<b, h*(R*r-(R^2-r^2)*atanh(r/R)-R*b+(R^2-b^2)*atanh(b/R)))",
-    slope: "piecewise(0, x<b, 2*h*x*(R*acos(b/x)-sqrt(R^2-x^2)*atan(R*sqrt(x^2-b^2)/(b*sqrt(R^2-x^2)))+sqrt(x^2-b^2)*atanh(b/R)))",
+    equivalent: "piecewise(0, x<b, 2*h*x*(R*acos(b/x)-sqrt(R^2-x^2)*atan(R*sqrt(x^2-b^2)/(b*sqrt(R^2-x^2)))+sqrt(x^2-b^2)*atanh(b/R)))",
     force: "piecewise(0, a<b, 4/3*E*h*((R^3+3/2*R*a^2)*acos(b/a)+(2*a^2+b^2)*sqrt(a^2-b^2)*atanh(b/R)+R*b*sqrt(a^2-b^2)/2\
             -(2*a^2+R^2)*sqrt(R^2-a^2)*atan(R*sqrt(a^2-b^2)/(b*sqrt(R^2-a^2)))))",
     parameters: &[H, R, B],
@@ -99,7 +99,7 @@ pub(in crate::derive::rules) static ASINH_EVEN: Rule = Rule {
     id: "even-arsinh",
     title: "Even powers of r times arsinh(r/w)",
     pattern: "h*(r*asinh(r/w)-sqrt(w^2+r^2)+w)",
-    slope: "h*x*(x/w)*hyper([1/2,1/2,1],[3/2,3/2],-(x/w)^2)",
+    equivalent: "h*x*(x/w)*hyper([1/2,1/2,1],[3/2,3/2],-(x/w)^2)",
     force: "E*h*(a^2*(a/w)*hyper([1/2,1/2,1],[3/2,3/2],-(a/w)^2)+((w^2+a^2)*atan(a/w)-w*a)/2)",
     // Below w, where the series of the statement converges.
     parameters: &[H, Parameter { name: "w", lowest: 3.2, highest: 6.0 }],
@@ -111,7 +111,7 @@ pub(in crate::derive::rules) static ASINH_ODD: Rule = Rule {
     id: "odd-arsinh",
     title: "Odd powers of r times arsinh(r/w)",
     pattern: "h*((w^2+2*r^2)*asinh(r/w)-r*sqrt(w^2+r^2))",
-    slope: "4*h*x*((w^2+x^2)*ellipk(-x^2/w^2)-w^2*ellipe(-x^2/w^2))/w",
+    equivalent: "4*h*x*((w^2+x^2)*ellipk(-x^2/w^2)-w^2*ellipe(-x^2/w^2))/w",
     force: "8/9*E*h/w*(2*(3*a^2-w^2)*(w^2+a^2)*ellipk(-a^2/w^2)+w^2*(2*w^2-5*a^2)*ellipe(-a^2/w^2))",
     apply: |term| apply(term, Kernel::Arcsine, "asinh", true, Extent::Whole),
     ..BASE
@@ -121,7 +121,7 @@ pub(in crate::derive::rules) static ASIN_EVEN: Rule = Rule {
     id: "even-arcsine",
     title: "Even powers of r times asin(r/R)",
     pattern: "h*(r*asin(r/R)+sqrt(R^2-r^2)-R)",
-    slope: "h*x*(x/R)*hyper([1/2,1/2,1],[3/2,3/2],(x/R)^2)",
+    equivalent: "h*x*(x/R)*hyper([1/2,1/2,1],[3/2,3/2],(x/R)^2)",
     force: "E*h*(a^2*(a/R)*hyper([1/2,1/2,1],[3/2,3/2],(a/R)^2)+(R*a-(R^2-a^2)*atanh(a/R))/2)",
     parameters: &[H, R],
     guard: INSIDE,
@@ -133,7 +133,7 @@ pub(in crate::derive::rules) static ASIN_ODD: Rule = Rule {
     id: "odd-arcsine",
     title: "Odd powers of r times asin(r/R)",
     pattern: "h*((2*r^2-R^2)*asin(r/R)+r*sqrt(R^2-r^2))",
-    slope: "4*h*x*(R^2*ellipe(x^2/R^2)-(R^2-x^2)*ellipk(x^2/R^2))/R",
+    equivalent: "4*h*x*(R^2*ellipe(x^2/R^2)-(R^2-x^2)*ellipk(x^2/R^2))/R",
     force: "8/9*E*h/R*(R^2*(2*R^2+5*a^2)*ellipe(a^2/R^2)-2*(3*a^2+R^2)*(R^2-a^2)*ellipk(a^2/R^2))",
     parameters: &[H, R],
     guard: INSIDE,
@@ -145,7 +145,7 @@ pub(in crate::derive::rules) static WORN_ASINH: Rule = Rule {
     id: "worn-odd-arsinh",
     title: "Odd powers of r times arsinh(r/w) on a segment",
     pattern: "piecewise(0, r<b, h*((w^2+2*r^2)*asinh(r/w)-r*sqrt(w^2+r^2)-(w^2+2*b^2)*asinh(b/w)+b*sqrt(w^2+b^2)))",
-    slope: "piecewise(0, x<b, 4*h*x*((w^2+x^2)/w*ellipf(atan(w*sqrt(x^2-b^2)/(b*sqrt(w^2+x^2))),-x^2/w^2)\
+    equivalent: "piecewise(0, x<b, 4*h*x*((w^2+x^2)/w*ellipf(atan(w*sqrt(x^2-b^2)/(b*sqrt(w^2+x^2))),-x^2/w^2)\
             -w*ellipe(atan(w*sqrt(x^2-b^2)/(b*sqrt(w^2+x^2))),-x^2/w^2)-b*sqrt(x^2-b^2)/sqrt(w^2+b^2)+sqrt(x^2-b^2)*asinh(b/w)))",
     force: "piecewise(0, a<b, 8/9*E*h*(2*(3*a^2-w^2)*(w^2+a^2)/w*ellipf(atan(w*sqrt(a^2-b^2)/(b*sqrt(w^2+a^2))),-a^2/w^2)\
             +(2*w^2-5*a^2)*(w*ellipe(atan(w*sqrt(a^2-b^2)/(b*sqrt(w^2+a^2))),-a^2/w^2)+b*sqrt(a^2-b^2)/sqrt(w^2+b^2))\
@@ -160,7 +160,7 @@ pub(in crate::derive::rules) static WORN_ASIN: Rule = Rule {
     id: "worn-odd-arcsine",
     title: "Odd powers of r times asin(r/R) on a segment",
     pattern: "piecewise(0, r<b, h*((2*r^2-R^2)*asin(r/R)+r*sqrt(R^2-r^2)-(2*b^2-R^2)*asin(b/R)-b*sqrt(R^2-b^2)))",
-    slope: "piecewise(0, x<b, 4*h*x*(R*ellipe(atan(R*sqrt(x^2-b^2)/(b*sqrt(R^2-x^2))),x^2/R^2)-b*sqrt(x^2-b^2)/sqrt(R^2-b^2)\
+    equivalent: "piecewise(0, x<b, 4*h*x*(R*ellipe(atan(R*sqrt(x^2-b^2)/(b*sqrt(R^2-x^2))),x^2/R^2)-b*sqrt(x^2-b^2)/sqrt(R^2-b^2)\
             -(R^2-x^2)/R*ellipf(atan(R*sqrt(x^2-b^2)/(b*sqrt(R^2-x^2))),x^2/R^2)+sqrt(x^2-b^2)*asin(b/R)))",
     force: "piecewise(0, a<b, 8/9*E*h*((2*R^2+5*a^2)*(R*ellipe(atan(R*sqrt(a^2-b^2)/(b*sqrt(R^2-a^2))),a^2/R^2)\
             -b*sqrt(a^2-b^2)/sqrt(R^2-b^2))+b*sqrt(a^2-b^2)*sqrt(R^2-b^2)\

@@ -19,7 +19,7 @@ pub(in crate::derive::rules) static WHOLE: Rule = Rule {
     id: "binomial",
     title: "Powers of r times a real power of b² + r²",
     pattern: "h*((1+r^2/b^2)^p-1)",
-    slope: "h*(hyp2f1(-p,1,1/2,-x^2/b^2)-1)",
+    equivalent: "h*(hyp2f1(-p,1,1/2,-x^2/b^2)-1)",
     force: "2*E*h*a*(hyp2f1(-p,1,1/2,-a^2/b^2)-hyp2f1(-p,1,3/2,-a^2/b^2))",
     apply: |term| apply(term, Sign::Positive, Extent::Whole),
     ..BASE
@@ -29,7 +29,7 @@ pub(in crate::derive::rules) static WHOLE_BELOW: Rule = Rule {
     id: "binomial-below",
     title: "Powers of r times a real power of R² − r²",
     pattern: "h*(1-(1-r^2/R^2)^p)",
-    slope: "h*(1-hyp2f1(-p,1,1/2,x^2/R^2))",
+    equivalent: "h*(1-hyp2f1(-p,1,1/2,x^2/R^2))",
     force: "2*E*h*a*(hyp2f1(-p,1,3/2,a^2/R^2)-hyp2f1(-p,1,1/2,a^2/R^2))",
     parameters: &[H, R, P],
     guard: "r < R; p neither whole nor half",
@@ -41,7 +41,7 @@ pub(in crate::derive::rules) static WORN: Rule = Rule {
     id: "worn-binomial",
     title: "Odd powers of r times a real power of b² + r² on a segment",
     pattern: "piecewise(0, r<c, h*((1+r^2/b^2)^p-(1+c^2/b^2)^p))",
-    slope: "piecewise(0, x<c, 2*h*p*x*sqrt(x^2-c^2)/b^2*(1+c^2/b^2)^(p-1)*hyp2f1(1-p,1,3/2,-(x^2-c^2)/(b^2+c^2)))",
+    equivalent: "piecewise(0, x<c, 2*h*p*x*sqrt(x^2-c^2)/b^2*(1+c^2/b^2)^(p-1)*hyp2f1(1-p,1,3/2,-(x^2-c^2)/(b^2+c^2)))",
     force: "piecewise(0, a<c, 4*E*h*p*sqrt(a^2-c^2)/b^2*(1+c^2/b^2)^(p-1)*(c^2*hyp2f1(1-p,1,3/2,-(a^2-c^2)/(b^2+c^2))\
             +2/3*(a^2-c^2)*hyp2f1(1-p,2,5/2,-(a^2-c^2)/(b^2+c^2))))",
     parameters: &[H, S, P, C],
@@ -55,7 +55,7 @@ pub(in crate::derive::rules) static WORN_BELOW: Rule = Rule {
     id: "worn-binomial-below",
     title: "Odd powers of r times a real power of R² − r² on a segment",
     pattern: "piecewise(0, r<c, h*((1-c^2/R^2)^p-(1-r^2/R^2)^p))",
-    slope: "piecewise(0, x<c, 2*h*p*x*sqrt(x^2-c^2)/R^2*(1-c^2/R^2)^(p-1)*hyp2f1(1-p,1,3/2,(x^2-c^2)/(R^2-c^2)))",
+    equivalent: "piecewise(0, x<c, 2*h*p*x*sqrt(x^2-c^2)/R^2*(1-c^2/R^2)^(p-1)*hyp2f1(1-p,1,3/2,(x^2-c^2)/(R^2-c^2)))",
     force: "piecewise(0, a<c, 4*E*h*p*sqrt(a^2-c^2)/R^2*(1-c^2/R^2)^(p-1)*(c^2*hyp2f1(1-p,1,3/2,(a^2-c^2)/(R^2-c^2))\
             +2/3*(a^2-c^2)*hyp2f1(1-p,2,5/2,(a^2-c^2)/(R^2-c^2))))",
     parameters: &[H, R, P, C],
@@ -95,9 +95,9 @@ fn apply(term: &Term, branch: Sign, extent: Extent) -> Option<Answer> {
     conditions.extend(reading::above(&m, -1)?);
     let pair = |expr: Expr| Branches::endless(Pair::same(expr));
     let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
-    let slope = &x * binomial.whole(&binomial.m, &x);
+    let equivalent = &x * binomial.whole(&binomial.m, &x);
     let force = binomial.whole(&(&binomial.m + Expr::integer(2)), &a);
-    Some(Answer { slope: pair(slope), force: pair(force), pressure: None, conditions })
+    Some(Answer { equivalent: pair(equivalent), force: pair(force), pressure: None, conditions })
 }
 
 impl Binomial {
@@ -120,7 +120,7 @@ impl Binomial {
             let outside = if factor == 1 { x.clone() } else { Expr::one() };
             Branches::from_ends(segment, |end| Pair::same(self.from(end, m, &x))).scaled(&outside)
         };
-        Some(Answer { slope: branches("x", m, 1), force: branches("a", m + 2, 0), pressure: None, conditions })
+        Some(Answer { equivalent: branches("x", m, 1), force: branches("a", m + 2, 0), pressure: None, conditions })
     }
 
     /// c ∫_b^x r^(2n+1) (α+βr²)^p/√(x²−r²) dr, w² = x² − b², q = α + βb²:

@@ -33,7 +33,7 @@ const BLANK: Rule = Rule {
     id: "",
     title: "",
     pattern: "",
-    slope: "",
+    equivalent: "",
     force: "",
     pressure: None,
     parameters: &[H],
@@ -105,11 +105,11 @@ impl Work<'_> {
     fn answer(self, moment: impl Fn(i64) -> Option<Moment>, pressure: Option<Pressure>) -> Option<Answer> {
         let m = self.reading.exponent;
         let own = moment(m)?;
-        let slope = self.branches("x", &own.times(laurent::Variable::X, 1));
+        let equivalent = self.branches("x", &own.times(laurent::Variable::X, 1));
         let force = self.branches("a", &moment(m + 2)?);
         let Reading { coefficient, field, conditions, .. } = self.reading;
         let pressure = pressure.and_then(|close| close(&own, &field)).map(|found| found.scaled(&coefficient));
-        Some(Answer { slope, force, pressure, conditions })
+        Some(Answer { equivalent, force, pressure, conditions })
     }
 
     fn branches(&self, name: &str, form: &Moment) -> Branches {

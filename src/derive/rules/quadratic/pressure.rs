@@ -20,8 +20,8 @@ pub(super) fn rooted(form: &Moment, field: &Field) -> Option<Branches> {
         total.add(&Rooted::over_quadratic(power + 1, sigma), &coefficient.times(Length, 1));
     }
     // The root at the axis is xρ; one x more makes g of it.
-    let slope = form.at(Piece::Root).at_axis().times(Variable::X, 2).times(Length, 1);
-    for (power, coefficient) in slope.in_square(sigma)? {
+    let equivalent = form.at(Piece::Root).at_axis().times(Variable::X, 2).times(Length, 1);
+    for (power, coefficient) in equivalent.in_square(sigma)? {
         // (s^(−2k))′ = −2kσ x s^(−2k−2)
         let k = -i64::from(power);
         total.add(&Rooted::over_power(k + 1), &coefficient.scaled(-2 * k * sigma, 1));

@@ -20,7 +20,7 @@ pub(in crate::derive::rules) static ODD: Rule = Rule {
     id: "quadratic-root",
     title: "Odd powers of r over odd powers of √(b² + r²)",
     pattern: "h*(1-1/sqrt(1+r^2/b^2))",
-    slope: "h*x^2/(b^2+x^2)",
+    equivalent: "h*x^2/(b^2+x^2)",
     force: "2*E*h*(b*atan(a/b)-a*b^2/(a^2+b^2))",
     pressure: Some("E*h*b^2/pi*(sqrt(a^2-r^2)/((b^2+r^2)*(a^2+b^2))+atan(sqrt(a^2-r^2)/sqrt(b^2+r^2))/(b^2+r^2)^(3/2))"),
     apply: |term| apply(term, 1, true, Extent::Whole),
@@ -31,7 +31,7 @@ pub(in crate::derive::rules) static ODD_BELOW: Rule = Rule {
     id: "quadratic-root-below",
     title: "Odd powers of r over odd powers of √(R² − r²)",
     pattern: "h*(1/sqrt(1-r^2/R^2)-1)",
-    slope: "h*x^2/(R^2-x^2)",
+    equivalent: "h*x^2/(R^2-x^2)",
     force: "2*E*h*(a*R^2/(R^2-a^2)-R*atanh(a/R))",
     pressure: Some("E*h*R^2/pi*(sqrt(a^2-r^2)/((R^2-r^2)*(R^2-a^2))+atanh(sqrt(a^2-r^2)/sqrt(R^2-r^2))/(R^2-r^2)^(3/2))"),
     parameters: &[H, R],
@@ -44,7 +44,7 @@ pub(in crate::derive::rules) static WORN_ODD: Rule = Rule {
     id: "worn-quadratic-root",
     title: "Odd powers of r over odd powers of √(b² + r²) on a segment",
     pattern: "piecewise(0, r<c, h*(1/sqrt(1+c^2/b^2)-1/sqrt(1+r^2/b^2)))",
-    slope: "piecewise(0, x<c, h*b*x*sqrt(x^2-c^2)/(sqrt(b^2+c^2)*(b^2+x^2)))",
+    equivalent: "piecewise(0, x<c, h*b*x*sqrt(x^2-c^2)/(sqrt(b^2+c^2)*(b^2+x^2)))",
     force: "piecewise(0, a<c, 2*E*h*b*(atan(sqrt(a^2-c^2)/sqrt(b^2+c^2))-b^2*sqrt(a^2-c^2)/(sqrt(b^2+c^2)*(b^2+a^2))))",
     parameters: &[H, S, C],
     guard: "r ≥ c",
@@ -56,7 +56,7 @@ pub(in crate::derive::rules) static WORN_ODD_BELOW: Rule = Rule {
     id: "worn-quadratic-root-below",
     title: "Odd powers of r over odd powers of √(R² − r²) on a segment",
     pattern: "piecewise(0, r<c, h*(1/sqrt(1-r^2/R^2)-1/sqrt(1-c^2/R^2)))",
-    slope: "piecewise(0, x<c, h*R*x*sqrt(x^2-c^2)/(sqrt(R^2-c^2)*(R^2-x^2)))",
+    equivalent: "piecewise(0, x<c, h*R*x*sqrt(x^2-c^2)/(sqrt(R^2-c^2)*(R^2-x^2)))",
     force: "piecewise(0, a<c, 2*E*h*R*(R^2*sqrt(a^2-c^2)/(sqrt(R^2-c^2)*(R^2-a^2))-atanh(sqrt(a^2-c^2)/sqrt(R^2-c^2))))",
     parameters: &[H, R, C],
     guard: "c ≤ r < R",
@@ -68,7 +68,7 @@ pub(in crate::derive::rules) static EVEN: Rule = Rule {
     id: "arsinh",
     title: "Even powers of r over odd powers of √(b² + r²)",
     pattern: "h*asinh(r/b)",
-    slope: "h*x/b*ellipk(-x^2/b^2)",
+    equivalent: "h*x/b*ellipk(-x^2/b^2)",
     force: "2*E*h*b*(ellipe(-a^2/b^2)-ellipk(-a^2/b^2))",
     reference: &[RECURRENCE, ELLIPTIC],
     apply: |term| apply(term, 1, false, Extent::Whole),
@@ -79,7 +79,7 @@ pub(in crate::derive::rules) static EVEN_BELOW: Rule = Rule {
     id: "arcsine",
     title: "Even powers of r over odd powers of √(R² − r²)",
     pattern: "h*asin(r/R)",
-    slope: "h*x/R*ellipk(x^2/R^2)",
+    equivalent: "h*x/R*ellipk(x^2/R^2)",
     force: "2*E*h*R*(ellipk(a^2/R^2)-ellipe(a^2/R^2))",
     parameters: &[H, R],
     guard: INSIDE,
@@ -92,7 +92,7 @@ pub(in crate::derive::rules) static WORN_EVEN: Rule = Rule {
     id: "worn-arsinh",
     title: "Even powers of r over odd powers of √(b² + r²) on a segment",
     pattern: "piecewise(0, r<c, h*(asinh(r/b)-asinh(c/b)))",
-    slope: "piecewise(0, x<c, h*x/b*ellipf(atan(b*sqrt(x^2-c^2)/(c*sqrt(b^2+x^2))),-x^2/b^2))",
+    equivalent: "piecewise(0, x<c, h*x/b*ellipf(atan(b*sqrt(x^2-c^2)/(c*sqrt(b^2+x^2))),-x^2/b^2))",
     force: "piecewise(0, a<c, 2*E*h*(b*ellipe(atan(b*sqrt(a^2-c^2)/(c*sqrt(b^2+a^2))),-a^2/b^2)+c*sqrt(a^2-c^2)/sqrt(b^2+c^2)\
             -b*ellipf(atan(b*sqrt(a^2-c^2)/(c*sqrt(b^2+a^2))),-a^2/b^2)))",
     parameters: &[H, S, C],
@@ -106,7 +106,7 @@ pub(in crate::derive::rules) static WORN_EVEN_BELOW: Rule = Rule {
     id: "worn-arcsine",
     title: "Even powers of r over odd powers of √(R² − r²) on a segment",
     pattern: "piecewise(0, r<c, h*(asin(r/R)-asin(c/R)))",
-    slope: "piecewise(0, x<c, h*x/R*ellipf(atan(R*sqrt(x^2-c^2)/(c*sqrt(R^2-x^2))),x^2/R^2))",
+    equivalent: "piecewise(0, x<c, h*x/R*ellipf(atan(R*sqrt(x^2-c^2)/(c*sqrt(R^2-x^2))),x^2/R^2))",
     force: "piecewise(0, a<c, 2*E*h*(R*ellipf(atan(R*sqrt(a^2-c^2)/(c*sqrt(R^2-a^2))),a^2/R^2)+c*sqrt(a^2-c^2)/sqrt(R^2-c^2)\
             -R*ellipe(atan(R*sqrt(a^2-c^2)/(c*sqrt(R^2-a^2))),a^2/R^2)))",
     parameters: &[H, R, C],
@@ -133,8 +133,8 @@ fn apply(term: &Term, sigma: i64, odd: bool, extent: Extent) -> Option<Answer> {
     let tip = (m == 1 && k == 1 && term.segment.lower.is_zero()).then(|| Tip::of(&reading, term.segment.upper.as_ref()));
     let work = Work { reading, segment: &term.segment, family, kernel: None };
     let mut answer = work.answer(|m| family.moment(m, k), (odd && extent == Extent::Whole).then_some(pressure::rooted))?;
-    if let Some(Tip { slope, force, cap }) = tip {
-        answer.slope.within.evaluated = slope;
+    if let Some(Tip { equivalent, force, cap }) = tip {
+        answer.equivalent.within.evaluated = equivalent;
         answer.force.within.evaluated = force;
         answer.force.beyond.evaluated = cap.unwrap_or(answer.force.beyond.evaluated);
     }
@@ -144,7 +144,7 @@ fn apply(term: &Term, sigma: i64, odd: bool, extent: Extent) -> Option<Answer> {
 /// The evaluated forms for a sphere or a hyperboloid that ends at a radius: the pieces of the recurrence cancel by (R/a)².
 struct Tip {
     /// g within the end, as on the whole axis.
-    slope: Expr,
+    equivalent: Expr,
     /// F/(2E*) within it.
     force: Expr,
     /// F/(2E*) beyond it, of a sphere.
@@ -156,8 +156,8 @@ impl Tip {
         let radius = reading.field.square_length.sqrt();
         let scaled = |own: Expr| &reading.coefficient * own;
         let below = reading.field.sigma < 0;
-        let (slope, force) = root::computed(if below { Sign::Negative } else { Sign::Positive }, &radius);
+        let (equivalent, force) = root::computed(if below { Sign::Negative } else { Sign::Positive }, &radius);
         let cap = end.filter(|_| below).map(|end| Expr::call("capped_sphere_force", [end.clone(), Expr::symbol("a"), radius]));
-        Self { slope: scaled(slope), force: scaled(force), cap: cap.map(scaled) }
+        Self { equivalent: scaled(equivalent), force: scaled(force), cap: cap.map(scaled) }
     }
 }

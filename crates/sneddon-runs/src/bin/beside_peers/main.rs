@@ -104,7 +104,7 @@ fn pointwise(place: &Place, evaluator: &Evaluator<'_>) {
             typed_call(place, || evaluator.pressure(x, RADIUS).ok().flatten().map(|own| (own.estimate.value, own.estimate.evaluations)));
             pressures(place, evaluator);
         }
-        _ => typed_call(place, || evaluator.slope(x).ok().map(|own| (own.estimate.value, own.estimate.evaluations))),
+        _ => typed_call(place, || evaluator.equivalent(x).ok().map(|own| (own.estimate.value, own.estimate.evaluations))),
     }
 }
 
@@ -142,8 +142,8 @@ fn curve(places: &[Place]) {
     let x: Vec<f64> = (0..POINTS).map(|i| RADIUS * (i as f64 + 0.5) / POINTS as f64).collect();
     let mut g = vec![0.0; POINTS];
     let known = places.iter().filter(|place| place.work.starts_with("ln_cosh@"));
-    let error = known.map(|place| place.error(curve.slope(place.x).expect("g").value)).fold(0.0, f64::max);
-    let ns = median_ns(|| curve.slope_slice(black_box(&x), &mut g).is_ok()) / POINTS as f64;
+    let error = known.map(|place| place.error(curve.equivalent(place.x).expect("g").value)).fold(0.0, f64::max);
+    let ns = median_ns(|| curve.equivalent_slice(black_box(&x), &mut g).is_ok()) / POINTS as f64;
     line("curve", "curve", ns, error, curve.evaluations());
 }
 
@@ -154,7 +154,7 @@ fn closed(work: &str, profile: &str, low: f64, high: f64) {
     let evaluator = evaluator(&solution, Method::Exact);
     let x: Vec<f64> = (0..POINTS).map(|i| low + (high - low) * (i as f64 + 0.5) / POINTS as f64).collect();
     let mut g = vec![0.0; POINTS];
-    let mut fill = || evaluator.slopes(black_box(&x), Slice::values(&mut g)).is_ok();
+    let mut fill = || evaluator.equivalents(black_box(&x), Slice::values(&mut g)).is_ok();
     if fill() {
         line(work, "slice", median_ns(fill) / POINTS as f64, 0.0, 0);
     }

@@ -19,10 +19,10 @@ use std::sync::{Arc, OnceLock};
 ///
 /// ```
 /// use sneddon::num::Bounded;
-/// use sneddon::transform::{NumericProfile, SlopeSource};
+/// use sneddon::transform::{NumericProfile, FPrimeSource};
 /// struct Cone;
-/// impl SlopeSource for Cone {
-///     fn slope(&self, _delta: Bounded) -> Bounded {
+/// impl FPrimeSource for Cone {
+///     fn f_prime(&self, _delta: Bounded) -> Bounded {
 ///         Bounded::exact(1.0)
 ///     }
 ///     fn bend(&self, _delta: Bounded) -> Option<Bounded> {
@@ -30,12 +30,12 @@ use std::sync::{Arc, OnceLock};
 ///     }
 /// }
 /// let cone = NumericProfile::from_sources([(0.0, None, std::sync::Arc::new(Cone) as _)]);
-/// let g = cone.slope(2.0, 1e-12).unwrap();
+/// let g = cone.equivalent(2.0, 1e-12).unwrap();
 /// assert!((g.value - std::f64::consts::PI).abs() <= g.error);
 /// ```
-pub trait SlopeSource: Send + Sync {
+pub trait FPrimeSource: Send + Sync {
     /// f′(lower + δ).
-    fn slope(&self, delta: Bounded) -> Bounded;
+    fn f_prime(&self, delta: Bounded) -> Bounded;
 
     /// (r f′)′ = f′ + r f″ at r = lower + δ, which only the pressure needs; `None` if it is not known.
     fn bend(&self, delta: Bounded) -> Option<Bounded>;
@@ -46,9 +46,9 @@ pub trait SlopeSource: Send + Sync {
     }
 
     /// f′ in plain doubles at many distances; override it if a loop over them is faster.
-    fn slopes(&self, deltas: &[f64], values: &mut [f64]) {
+    fn f_primes(&self, deltas: &[f64], values: &mut [f64]) {
         for (delta, value) in deltas.iter().zip(values) {
-            *value = self.slope(Bounded::exact(*delta)).value;
+            *value = self.f_prime(Bounded::exact(*delta)).value;
         }
     }
 }
@@ -58,15 +58,15 @@ pub(crate) enum Numbers {
     Tape(Tape),
     /// A tape that is 0/0 at the axis, with a series there.
     Removable(Box<Removable>),
-    Slope(Arc<dyn SlopeSource>),
-    Bend(Arc<dyn SlopeSource>),
+    FPrime(Arc<dyn FPrimeSource>),
+    Bend(Arc<dyn FPrimeSource>),
 }
 
 impl Numbers {
-    /// As [`SlopeSource::cuts`]; empty for formulas, whose jumps are breakpoints of the profile.
+    /// As [`FPrimeSource::cuts`]; empty for formulas, whose jumps are breakpoints of the profile.
     pub(crate) fn cuts(&self, end: f64) -> Vec<f64> {
         match self {
-            Self::Slope(source) => source.cuts(end),
+            Self::FPrime(source) => source.cuts(end),
             _ => Vec::new(),
         }
     }
@@ -78,7 +78,7 @@ impl Numbers {
         match self {
             Self::Tape(tape) => rescued(tape, delta, tape.run(&mut BoundedAlgebra, &[delta], slots).unwrap_or(nothing)),
             Self::Removable(own) => own.at(delta, slots).unwrap_or(nothing),
-            Self::Slope(source) => source.slope(delta),
+            Self::FPrime(source) => source.f_prime(delta),
             Self::Bend(source) => source.bend(delta).unwrap_or(nothing),
         }
     }
@@ -180,7 +180,7 @@ impl Numbers {
         match self {
             Self::Tape(tape) => tape.run(&mut RegionAlgebra, &[delta], slots).map_or(f64::INFINITY, Region::largest),
             Self::Removable(own) => own.largest(delta, slots),
-            Self::Slope(_) | Self::Bend(_) => f64::INFINITY,
+            Self::FPrime(_) | Self::Bend(_) => f64::INFINITY,
         }
     }
 }
@@ -215,7 +215,7 @@ impl NumericProfile {
     ///
     /// The ends are meant exactly; a jump of f′ where two segments meet is a kink. Behaviour like a fractional power
     /// of δ at a lower end is found from samples.
-    pub fn from_sources(segments: impl IntoIterator<Item = (f64, Option<f64>, Arc<dyn SlopeSource>)>) -> Self {
+    pub fn from_sources(segments: impl IntoIterator<Item = (f64, Option<f64>, Arc<dyn FPrimeSource>)>) -> Self {
         let segments = segments.into_iter().map(|(lower, upper, source)| NumericSegment::from_source(lower, upper, source)).collect();
         Self { segments }
     }
@@ -241,7 +241,7 @@ impl NumericProfile {
 }
 
 impl NumericSegment {
-    fn from_source(lower: f64, upper: Option<f64>, source: Arc<dyn SlopeSource>) -> Self {
+    fn from_source(lower: f64, upper: Option<f64>, source: Arc<dyn FPrimeSource>) -> Self {
         let scale = match upper {
             Some(upper) => upper - lower,
             None if lower > 0.0 => lower,
@@ -249,13 +249,13 @@ impl NumericSegment {
         };
         let has_bend = source.bend(Bounded::exact(0.5 * scale)).is_some();
         let bend = OnceLock::from(has_bend.then(|| Numbers::Bend(Arc::clone(&source))));
-        let slope = Numbers::Slope(source);
-        let singular = is_singular(&slope, lower, upper);
+        let f_prime = Numbers::FPrime(source);
+        let singular = is_singular(&f_prime, lower, upper);
         Self {
             lower: Bounded::exact(lower),
             upper: upper.map(Bounded::exact),
             ends: (Endpoint::exact(lower), upper.map(Endpoint::exact)),
-            slope,
+            f_prime,
             source: None,
             enclosing: OnceLock::new(),
             power: OnceLock::new(),
