@@ -14,7 +14,7 @@ use std::time::Duration;
 /// The budget option shared by all commands that compute.
 #[derive(clap::Args)]
 pub(super) struct BudgetArguments {
-    /// Limits the work to about this many seconds of processor time [default: 3, more for long lists, grids and files].
+    /// Limits the work to about this many seconds of processor time [default: 3, more for long lists, grids, files and generated code].
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     budget: Option<String>,
 }

@@ -4,7 +4,7 @@ mod first_order;
 
 use super::tree::{Comparison, LENGTH, NAN, Operator, Routine, Statement, Test, Value};
 use crate::expr::Function;
-use crate::num::Bounded;
+use crate::num::{Bounded, work};
 use first_order::{Operation, Record};
 
 /// Assumed errors of elementary functions in units in the last place: the largest known errors of the GNU C library in double
@@ -15,6 +15,9 @@ const HYPERBOLIC_ULPS: f64 = 2.0;
 /// The assumptions as stated in generated files.
 pub(super) const ASSUMED: &str = "elementary functions accurate to 1 ulp and hyperbolic ones to 2 ulp";
 
+/// Steps of work for an operation, with its names and numbers, and for one that is recorded.
+const PLAIN_OPERATION: u64 = 6;
+const RECORDED: u64 = 12;
 /// The most operations of one run.
 const MOST_STEPS: usize = 400_000;
 
@@ -102,9 +105,14 @@ impl<'a> Machine<'a> {
         bounded: Bounded,
         own: impl Fn(&[Bounded]) -> Bounded,
     ) -> Traced {
+        work::spend(if self.record.is_some() { RECORDED } else { PLAIN_OPERATION });
         let Some(record) = &mut self.record else { return Traced { bounded, place: 0 } };
-        let operands: Vec<(usize, Bounded)> = operands.iter().map(|operand| (operand.place, operand.bounded)).collect();
-        let place = record.operation(operation, &operands, bounded, own);
+        let pair = |operand: &Traced| (operand.place, operand.bounded);
+        let place = match operands {
+            [a] => record.operation(operation, &[pair(a)], bounded, own),
+            [a, b] => record.operation(operation, &[pair(a), pair(b)], bounded, own),
+            more => record.operation(operation, &more.iter().map(pair).collect::<Vec<_>>(), bounded, own),
+        };
         Traced { bounded, place }
     }
 

@@ -21,6 +21,15 @@ pub struct Asked {
     pub steps: u64,
 }
 
+impl Asked {
+    /// Returns true for a way that was not asked because the work limit was reached.
+    pub fn is_cut(&self) -> bool {
+        self.found.as_ref().is_err_and(|why| why == NOT_ASKED)
+    }
+}
+
+const NOT_ASKED: &str = "not asked: the work limit is reached";
+
 /// A contact whose numbers are computed by each of [`WAYS`] separately.
 pub struct Explained<'a> {
     contacts: Vec<(&'static Way, Contact<'a>)>,
@@ -64,7 +73,7 @@ impl<'a> Explained<'a> {
 fn asked(way: &'static Way, contact: &Contact<'_>, quantity: Quantity, at: f64, radius: f64) -> Option<Asked> {
     let share = MOST_STEPS.min(work::left().saturating_sub(RESERVE));
     if share == 0 {
-        return Some(Asked { way: way.key, found: Err("not asked: the work limit is reached".to_owned()), steps: 0 });
+        return Some(Asked { way: way.key, found: Err(NOT_ASKED.to_owned()), steps: 0 });
     }
     let (answer, steps, whole) = work::apart(share, || quantity.number(contact, at, radius));
     work::spend(steps);

@@ -229,7 +229,7 @@ fn sign_changes(difference: &Expr, range: [Option<f64>; 2], name: &'static str) 
     }
     let others: Vec<Symbol> = expanded.symbols().into_iter().filter(|s| *s != radius).collect();
     if !others.is_empty() {
-        return Err(failure(name, &format!("their place depends on {} in a way that does not solve", others[0])));
+        return Err(failure(name, &format!("no formula is known for their place, which depends on {}", others[0])));
     }
     isolate(&expanded, range, name)
 }

@@ -199,9 +199,10 @@ pub struct Shift {
 }
 
 impl Evaluation<'_> {
-    /// Returns true if the work budget was exhausted at a point.
+    /// Returns true if the work budget was exhausted at a point, or before all ways were asked.
     pub fn is_cut(&self) -> bool {
-        self.readings.iter().any(|own| matches!(own, Err(Reason::Unfinished)))
+        let ways = self.ways.iter().flatten().flatten();
+        self.readings.iter().any(|own| matches!(own, Err(Reason::Unfinished))) || ways.into_iter().any(Asked::is_cut)
     }
 
     /// Returns the method of all finite values, or `mixed`.

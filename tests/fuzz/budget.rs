@@ -81,6 +81,19 @@ fn an_expression_that_was_cut_is_refused() {
     }
 }
 
+/// Class "work goes on after the budget": long numbers are 0 then, which primes divide without end. `compare` of the first profile spun
+/// until the clock stopped it, at three budgets in a hundred.
+#[test]
+fn work_ends_with_the_budget_wherever_that_is() {
+    for text in ["0.4*ln(1+r^2/1.3^2)", "0.4*ln(1+r^4/1.3^4)", "(0.123456789*r)^(3/2)+ln(1.23456789123+r)", "(1.1*r+2.3)^12/(1.1*r+2.3)^5"]
+    {
+        for steps in (50..40_000).step_by(cases(211, 37)) {
+            let (_, spent, _) = apart(steps, || formulas(text).map(|_| ()));
+            assert!(spent < 4 * steps + 2_000_000, "{text} within {steps}: {spent}");
+        }
+    }
+}
+
 #[test]
 fn the_default_budget_ends_what_has_no_end() {
     // Without a budget of the caller.

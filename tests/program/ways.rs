@@ -72,7 +72,10 @@ fn points_limits_and_digits_of_the_list() {
     assert_eq!(force[0]["method"], "root");
     let shown = run(&["r^2", "--quantity", "F", "--at", "0.7", "--explain", "--precision", "3"]);
     assert!(shown.status.success() && !String::from_utf8(shown.stdout).unwrap().contains("0.9146"));
-    let cut = points(&["ln(1+r^3)", "--quantity", "p", "--at", "0.1:0.9:40", "--radius", "1", "--explain", "--budget", "0.25"]);
+    let done = run(&["ln(1+r^3)", "--quantity", "p", "--at", "0.1:0.9:40", "--radius", "1", "--explain", "--budget", "0.25", "--json"]);
+    let document: Value = serde_json::from_slice(&done.stdout).unwrap();
+    assert!(done.status.code() == Some(1) && document["complete"] == false, "{:?}", document["why"]);
+    let cut = document["points"].as_array().unwrap();
     let is_unasked = |way: &Value| way["why"].as_str().is_some_and(|why| why.contains("the work limit is reached"));
     assert!(cut.iter().all(|point| point["value"].is_number()));
     assert!(cut.iter().flat_map(|point| point["ways"].as_array().unwrap()).any(is_unasked));

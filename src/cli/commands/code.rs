@@ -61,6 +61,9 @@ impl Lang {
     }
 }
 
+/// Work allowed for the claim of each function: its operations are run with their errors at some three hundred points.
+const STEPS_PER_FUNCTION: u64 = 200_000_000;
+
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let target = arguments.output.as_deref().filter(|path| path.as_os_str() != "-").map(file::Target::new).transpose()?;
     if let Some(path) = arguments.output.as_deref()
@@ -90,6 +93,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     solution.warnings().iter().for_each(|text| warn(text));
     demand(&arguments.quantity, written)?;
     let quantities = quantities(arguments);
+    budget::allow(quantities.len() as u64, STEPS_PER_FUNCTION);
     let code = program(&solution, &quantities, arguments.lang.language(), &shown).map_err(|error| match error {
         CodeError::Contact(own) => failed(own),
         CodeError::Transform(own) => failed(own.into()),

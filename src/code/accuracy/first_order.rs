@@ -3,6 +3,7 @@
 use crate::code::tree::Operator;
 use crate::num::Bounded;
 use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
 
 /// Relative errors up to here are propagated by derivatives, which neglect their squares.
 const SMALL: f64 = 1e-4;
@@ -14,17 +15,50 @@ const SMALL: f64 = 1e-4;
 #[derive(Default)]
 pub(super) struct Record<'a> {
     nodes: Vec<Node>,
-    places: HashMap<Key<'a>, usize>,
+    places: HashMap<Key<'a>, usize, BuildHasherDefault<Folded>>,
+}
+
+/// A hash of a few words, which takes less time than the operation that is looked up.
+#[derive(Default)]
+struct Folded(u64);
+
+impl Hasher for Folded {
+    fn finish(&self) -> u64 {
+        // The table uses the highest and the lowest bits.
+        self.0 ^ (self.0 >> 32)
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        for part in bytes.chunks(8) {
+            let word = part.iter().rev().fold(0, |word, byte| (word << 8) | u64::from(*byte));
+            self.write_u64(word);
+        }
+    }
+
+    fn write_u64(&mut self, word: u64) {
+        self.0 = (self.0.rotate_left(5) ^ word).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    }
+
+    fn write_usize(&mut self, word: usize) {
+        self.write_u64(word as u64);
+    }
 }
 
 struct Node {
     /// Bound on the error that begins here.
     own: f64,
-    /// The places of operands, with the derivatives by them.
-    operands: Vec<(usize, f64)>,
+    /// The places of operands, with the derivatives by them; 0 for one that does not exist.
+    operands: [(usize, f64); FEW],
 }
 
-/// The most operands of operations that are recognized when they occur again.
+impl Node {
+    /// A result whose error begins here.
+    fn alone(own: f64) -> Self {
+        Self { own, operands: [(0, 0.0); FEW] }
+    }
+}
+
+/// The most operands of operations whose derivatives are known, and that are recognized when they occur again.
 const FEW: usize = 2;
 
 #[derive(PartialEq, Eq, Hash)]
@@ -45,7 +79,7 @@ pub(super) enum Operation<'a> {
 impl<'a> Record<'a> {
     /// The place of a number that has no operands.
     pub(super) fn leaf(&mut self, own: Bounded) -> usize {
-        self.place(Key::Leaf(own.value.to_bits(), own.error.to_bits()), || Node { own: own.error, operands: Vec::new() })
+        self.place(Key::Leaf(own.value.to_bits(), own.error.to_bits()), || Node::alone(own.error))
     }
 
     /// The place of a result with its running bound; `compute` gives the result of operands.
@@ -66,13 +100,16 @@ impl<'a> Record<'a> {
                 _ => close.all(|own| own),
             };
             let slopes = if is_linear || is_close { derivatives(operation, operands, result.value) } else { None };
-            match slopes.filter(|list| list.iter().all(|own| own.is_finite())) {
-                Some(slopes) => {
-                    let exact: Vec<Bounded> = operands.iter().map(|(_, own)| Bounded::exact(own.value)).collect();
-                    Node { own: compute(&exact).error, operands: operands.iter().map(|own| own.0).zip(slopes).collect() }
+            match (slopes.filter(|list| list.iter().all(|own| own.is_finite())), operands) {
+                (Some([slope, _]), [one]) => {
+                    Node { own: compute(&[Bounded::exact(one.1.value)]).error, operands: [(one.0, slope), (0, 0.0)] }
+                }
+                (Some([first, second]), [one, other]) => {
+                    let exact = [one, other].map(|own| Bounded::exact(own.1.value));
+                    Node { own: compute(&exact).error, operands: [(one.0, first), (other.0, second)] }
                 }
                 // The running bound contains the errors of the operands.
-                None => Node { own: result.error, operands: Vec::new() },
+                _ => Node::alone(result.error),
             }
         };
         let mut places = [usize::MAX; FEW];
@@ -109,7 +146,7 @@ impl<'a> Record<'a> {
                 continue;
             }
             total += node.own * f64::abs(own);
-            for (operand, slope) in &node.operands {
+            for (operand, slope) in node.operands.iter().filter(|operand| operand.1 != 0.0) {
                 *share.get_mut(*operand)? += own * slope;
             }
         }
@@ -128,44 +165,48 @@ fn extent(operation: Operation<'_>, value: f64) -> f64 {
     }
 }
 
-/// The derivatives by the operands; `None` for functions whose derivative is not known here.
-fn derivatives(operation: Operation<'_>, operands: &[(usize, Bounded)], result: f64) -> Option<Vec<f64>> {
-    let values: Vec<f64> = operands.iter().map(|own| own.1.value).collect();
-    Some(match (operation, values.as_slice()) {
-        (Operation::Binary(operator), [a, b]) => match operator {
-            Operator::Add => vec![1.0, 1.0],
-            Operator::Subtract => vec![1.0, -1.0],
-            Operator::Multiply => vec![*b, *a],
-            Operator::Divide => vec![1.0 / b, -result / b],
+/// The derivatives by one or two operands; `None` for functions whose derivative is not known here.
+fn derivatives(operation: Operation<'_>, operands: &[(usize, Bounded)], result: f64) -> Option<[f64; FEW]> {
+    let (a, b) = match operands {
+        [(_, a)] => (a.value, None),
+        [(_, a), (_, b)] => (a.value, Some((b.value, b.error))),
+        _ => return None,
+    };
+    Some(match (operation, b) {
+        (Operation::Binary(operator), Some((b, _))) => match operator {
+            Operator::Add => [1.0, 1.0],
+            Operator::Subtract => [1.0, -1.0],
+            Operator::Multiply => [b, a],
+            Operator::Divide => [1.0 / b, -result / b],
         },
-        (Operation::Call("pow"), [a, b]) => {
-            let is_exact = operands.get(1).is_some_and(|own| own.1.error == 0.0);
-            vec![b * result / a, if is_exact { 0.0 } else { result * a.ln() }]
+        (Operation::Call("pow"), Some((b, error))) => [b * result / a, if error == 0.0 { 0.0 } else { result * a.ln() }],
+        (Operation::Call("atan2"), Some((b, _))) => {
+            let size = a.hypot(b);
+            [b / size / size, -a / size / size]
         }
-        (Operation::Call("atan2"), [a, b]) => {
-            let size = a.hypot(*b);
-            vec![b / size / size, -a / size / size]
+        (Operation::Call(name), None) => {
+            let slope = match name {
+                "exp" => result,
+                "expm1" => result + 1.0,
+                "log" => 1.0 / a,
+                "log1p" => 1.0 / (1.0 + a),
+                "sin" => a.cos(),
+                "cos" => -a.sin(),
+                "tan" => 1.0 + result * result,
+                "asin" => 1.0 / ((1.0 - a) * (1.0 + a)).sqrt(),
+                "acos" => -1.0 / ((1.0 - a) * (1.0 + a)).sqrt(),
+                "atan" => 1.0 / (1.0 + a * a),
+                "sinh" => a.cosh(),
+                "cosh" => a.sinh(),
+                "tanh" => 1.0 / a.cosh() / a.cosh(),
+                "asinh" => 1.0 / a.hypot(1.0),
+                "atanh" => 1.0 / ((1.0 - a) * (1.0 + a)),
+                "sqrt" => 0.5 / result,
+                "abs" => a.signum(),
+                _ => return None,
+            };
+            [slope, 0.0]
         }
-        (Operation::Call(name), [a]) => vec![match name {
-            "exp" => result,
-            "expm1" => result + 1.0,
-            "log" => 1.0 / a,
-            "log1p" => 1.0 / (1.0 + a),
-            "sin" => a.cos(),
-            "cos" => -a.sin(),
-            "tan" => 1.0 + result * result,
-            "asin" => 1.0 / ((1.0 - a) * (1.0 + a)).sqrt(),
-            "acos" => -1.0 / ((1.0 - a) * (1.0 + a)).sqrt(),
-            "atan" => 1.0 / (1.0 + a * a),
-            "sinh" => a.cosh(),
-            "cosh" => a.sinh(),
-            "tanh" => 1.0 / a.cosh() / a.cosh(),
-            "asinh" => 1.0 / a.hypot(1.0),
-            "atanh" => 1.0 / ((1.0 - a) * (1.0 + a)),
-            "sqrt" => 0.5 / result,
-            "abs" => a.signum(),
-            _ => return None,
-        }],
         _ => return None,
     })
 }

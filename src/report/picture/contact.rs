@@ -32,7 +32,10 @@ impl Picture {
                 let unit = unit(dimension);
                 if unit.is_empty() { name.to_owned() } else { format!("{name} ({unit})") }
             };
-            let (title, horizontal, vertical) = quantity.labels();
+            let (mut title, horizontal, vertical) = quantity.labels();
+            if let Some(why) = contacts.iter().find_map(|(_, run)| run.cut_short()) {
+                title = format!("{title} (incomplete: {why})");
+            }
             Panel::new(&title, titled(horizontal, Dimension::LENGTH), titled(&vertical.0, vertical.1), lines)
         });
         Self { panels: panels.collect() }

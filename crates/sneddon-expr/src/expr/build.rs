@@ -288,7 +288,8 @@ fn extract_root(radicand: &Number, k: u32) -> (Number, Number) {
         let Some(inverse) = factor.reciprocal() else { continue };
         loop {
             let reduced = &inner * &inverse;
-            if !reduced.is_integer() {
+            // A product beyond the work limit is 0.
+            if reduced.is_zero() || !reduced.is_integer() {
                 break;
             }
             inner = reduced;
@@ -310,7 +311,8 @@ fn extract_power(radicand: &Number, rest: i64, k: u32) -> Option<(Number, Number
             let prime = Number::integer(prime);
             let inverse = prime.reciprocal()?;
             let mut count = 0;
-            while (&left * &inverse).is_integer() {
+            // A product beyond the work limit is 0.
+            while !left.is_zero() && (&left * &inverse).is_integer() {
                 left = &left * &inverse;
                 count += rest;
             }

@@ -147,7 +147,8 @@ pub(super) fn primes(number: &Number) -> Vec<(Number, i64)> {
         for prime in [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37] {
             let inverse = Number::ratio(1, prime);
             let mut count = 0;
-            while left.bits() < 512 && (&left * &inverse).is_integer() {
+            // A product beyond the work limit is 0.
+            while !left.is_zero() && left.bits() < 512 && (&left * &inverse).is_integer() {
                 left = &left * &inverse;
                 count += 1;
             }

@@ -2,6 +2,7 @@
 
 use super::polynomial::{Monomial, Polynomial};
 use crate::expr::{Expr, Number};
+use crate::num::work;
 use std::collections::BTreeMap;
 
 /// The finest step of exponents: 1/60.
@@ -72,7 +73,8 @@ impl Sparse {
         let mut left = self.clone();
         let mut quotient = Self { atoms: self.atoms.clone(), terms: BTreeMap::new() };
         while let Some((exponents, number)) = left.terms.last_key_value() {
-            if quotient.terms.len() >= LONGEST {
+            // Products beyond the work limit are 0 and cancel nothing.
+            if quotient.terms.len() >= LONGEST || work::is_exhausted() {
                 return None;
             }
             let (shift, factor) = (difference(exponents, lead), number * &inverse);
@@ -106,7 +108,8 @@ impl Sparse {
         // left = self − root², whose leading term fixes the next term of the root.
         while let Some((exponents, number)) = left.terms.last_key_value() {
             let (next, factor) = (difference(exponents, &lead), number * &inverse);
-            if root.terms.len() >= LONGEST || root.terms.first_key_value().is_none_or(|(lowest, _)| next >= *lowest) {
+            if work::is_exhausted() || root.terms.len() >= LONGEST || root.terms.first_key_value().is_none_or(|(lowest, _)| next >= *lowest)
+            {
                 return None;
             }
             if !next.iter().zip(&ranges).all(|(e, (low, high))| (*low..=*high).contains(&(2 * e))) {
