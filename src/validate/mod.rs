@@ -22,7 +22,7 @@ pub use file::data::Source;
 pub use file::layout::{Layout, Origin};
 pub use file::points::points;
 pub use order::Order;
-pub use record::{Beyond, Column, Excluded, FileReport, Plot, SEARCH_CUT, Suspicion, Validation};
+pub use record::{Beyond, Column, Excluded, FileReport, Plot, Suspicion, Validation};
 pub use run::{Request, validate};
 
 /// Private items used by tests in `tests/`; not part of the public interface.

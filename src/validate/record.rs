@@ -111,9 +111,6 @@ impl Suspicion {
     }
 }
 
-/// The note of a [`Validation`] whose search for a fault was cut short.
-pub const SEARCH_CUT: &str = "the search for the fault was stopped at the work limit";
-
 /// The complete result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Validation {
@@ -123,8 +120,8 @@ pub struct Validation {
     pub reason: String,
     /// The fault that explains the data, if there is exactly one.
     pub suspicion: Option<Suspicion>,
-    /// True if the budget did not suffice for the search for a fault.
-    pub is_cut: bool,
+    /// What the budget did not suffice for: the search for a fault.
+    pub cut_short: Option<&'static str>,
     /// The columns of the finest file of each kind.
     pub columns: Vec<Column>,
     /// Orders of convergence by column; `None` for a single file.

@@ -5,7 +5,7 @@ use super::exact::Exact;
 use super::order::Level;
 use super::region::Region;
 use super::verdict::{Verdict, verdict};
-use super::{FileReport, SEARCH_CUT, Suspicion, Validation, ValidationError, field, loads};
+use super::{FileReport, Suspicion, Validation, ValidationError, field, loads};
 use crate::contact::{Boundary, Load, State};
 use crate::scene::{Change, Control, Scene, Walls, scene_for_data};
 use crate::validate::diagnosis::placing::placings;
@@ -164,13 +164,13 @@ impl Part {
 
 /// Pressures below this fraction of E*, and displacements below this fraction of the largest radius, are treated as 0.
 const NOTHING: f64 = 1e-6;
+/// What is said where the budget does not suffice for the search for a fault.
+const SEARCH_CUT: &str = "the search for the fault was stopped at the work limit";
 /// Maximum number of reasons in one sentence.
 const MOST_REASONS: usize = 2;
 
 /// Combines the results of all kinds.
-fn together(parts: Vec<Part>, count: usize, mut notes: Vec<String>) -> Validation {
-    let is_cut = parts.iter().any(|own| own.suspicion.is_err());
-    notes.extend(is_cut.then(|| SEARCH_CUT.to_owned()));
+fn together(parts: Vec<Part>, count: usize, notes: Vec<String>) -> Validation {
     // A load without comparable points, such as the first load of a ramp from 0, is ignored if other loads can be compared.
     let passed = parts.iter().any(|own| own.verdict.passed) && parts.iter().all(|own| own.verdict.passed || !own.verdict.judged);
     let mut telling: Vec<String> =
@@ -190,7 +190,7 @@ fn together(parts: Vec<Part>, count: usize, mut notes: Vec<String>) -> Validatio
         passed,
         reason: telling.join("; "),
         suspicion: agreed.map(|own| (*own).clone()),
-        is_cut,
+        cut_short: parts.iter().any(|own| own.suspicion.is_err()).then_some(SEARCH_CUT),
         columns: parts.iter().filter_map(|own| own.files.last()).flat_map(|own| own.columns.clone()).collect(),
         warnings: parts.iter().flat_map(|own| own.warnings.iter().cloned()).collect::<BTreeSet<_>>().into_iter().collect(),
         orders: (count > parts.len() && !orders.is_empty()).then_some(orders),

@@ -121,6 +121,8 @@ fn new(whole: &Value, part: &Value, place: &str) -> Option<String> {
     const OF_THE_CUT: [&str; 5] = ["complete", "why", "check", "method", "evaluations"];
     match (whole, part) {
         _ if part.is_null() || whole == part => None,
+        // The advice of a verdict follows only once no fault was found.
+        (Value::String(whole), Value::String(part)) if place == "/reason" && whole.starts_with(part) => None,
         // A comparison that was cut has fewer points.
         (Value::Object(whole), Value::Object(part)) if part.contains_key("points") && part.contains_key("max_relative_difference") => {
             let number = |own: &serde_json::Map<String, Value>, key: &str| own[key].as_f64().unwrap_or(0.0);

@@ -42,7 +42,7 @@ pub fn html(own: &Validation) -> Result<String, String> {
             let _ = writeln!(page, "<figure>{values}{errors}</figure>");
         }
     }
-    for note in &own.notes {
+    for note in own.notes.iter().map(String::as_str).chain(own.cut_short) {
         let _ = writeln!(page, "<p>{}.</p>", escaped(note));
     }
     page.push_str("</body></html>\n");

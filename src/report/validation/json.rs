@@ -1,6 +1,6 @@
 //! A validation as JSON.
 
-use crate::validate::{Column, FileReport, Order, SEARCH_CUT, Suspicion, Validation};
+use crate::validate::{Column, FileReport, Order, Suspicion, Validation};
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 
@@ -19,9 +19,9 @@ pub fn validation(validation: &Validation, out: &mut dyn Write) -> io::Result<()
         "files": validation.files.iter().map(file).collect::<Vec<_>>(),
         "notes": validation.notes,
     });
-    if let (true, Some(map)) = (validation.is_cut, document.as_object_mut()) {
+    if let (Some(why), Some(map)) = (validation.cut_short, document.as_object_mut()) {
         map.insert("complete".to_owned(), json!(false));
-        map.insert("why".to_owned(), json!(SEARCH_CUT));
+        map.insert("why".to_owned(), json!(why));
     }
     super::super::json::write("validate", &document, out)
 }

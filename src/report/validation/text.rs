@@ -58,7 +58,7 @@ pub fn text(own: &Validation, out: &mut dyn Write) -> io::Result<()> {
             writeln!(out, "  note: {note}")?;
         }
     }
-    own.notes.iter().try_for_each(|note| writeln!(out, "note: {note}"))
+    own.notes.iter().map(String::as_str).chain(own.cut_short).try_for_each(|note| writeln!(out, "note: {note}"))
 }
 
 /// Returns an error relative to exact values, or "-" where all of them are 0.
