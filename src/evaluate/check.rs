@@ -35,7 +35,8 @@ const TOLERANCE: f64 = 1e-12;
 /// Steps of work after which no new point is started; for an expensive profile, fewer points suffice.
 const ENOUGH: u64 = 60_000_000;
 
-/// Compares g at up to 64 points, F and p at up to 16 of them and at fewer for a profile with more than four terms, at the set values or at seeded random admissible ones.
+/// Compares g at up to 64 points, at the set values or at seeded random admissible ones, and F and p at up to 16 of these points,
+/// fewer for a profile of more than four terms.
 ///
 /// A point counts if a closed form is compared with a quadrature whose bound is small enough to contradict it.
 ///

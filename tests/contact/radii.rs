@@ -65,7 +65,9 @@ fn radii_are_found_alike_in_every_unit() {
     println!("largest difference between units {:e}, of the round trip {:e}", worst.0, worst.1);
 }
 
-/// Class "a radius next to a maximum". For 1 − exp(−r²), g = 2x D(x) has a maximum: just below it there are two radii, of which the first is returned; above it there is none.
+/// Class "a radius next to a maximum".
+///
+/// For 1 − exp(−r²), g = 2x D(x) has a maximum: just below it there are two radii, of which the first is returned; above it there is none.
 #[test]
 fn the_top_of_a_hump_is_reached_and_not_passed() {
     // D(x) + x D′(x) = 0 with D′ = 1 − 2x D, by bisection.
@@ -88,7 +90,9 @@ fn the_top_of_a_hump_is_reached_and_not_passed() {
     }
 }
 
-/// Class "not the first root". Waves whose amplitude grows: values of g near the root cost less than those at the end of the decade. The first root is that of
+/// Class "not the first root".
+///
+/// Waves whose amplitude grows: values of g near the root cost less than those at the end of the decade. The first root is that of
 /// a grid of steps of 0.1 with 30 digits.
 #[test]
 fn the_first_root_of_growing_waves_is_found() {
@@ -115,7 +119,9 @@ fn depths_next_to_a_pole_are_reached() {
     }
 }
 
-/// Class "none without a proof". Depths that g reaches nowhere are proven to be unreachable, in every unit, and depths that it reaches are found; the supremum of g is
+/// Class "none without a proof".
+///
+/// Depths that g reaches nowhere are proven to be unreachable, in every unit, and depths that it reaches are found; the supremum of g is
 /// that of a grid with its kinks, with 5 % of room on both sides.
 #[test]
 fn that_no_radius_reaches_a_depth_is_proven() {

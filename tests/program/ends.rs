@@ -67,7 +67,7 @@ fn radii_are_found_with_values_of_the_parameters() {
             };
             let back = values(&run(&[&["eval", profile, "--quantity", "d", "--json", "--at", &format!("{a:e}")], &set[..]].concat()));
             let found = back.first().copied().flatten().unwrap();
-            assert!((found / depth - 1.0).abs() < 1e-12, "{profile}: d({a:e}) = {found:e} and not {depth:e}");
+            assert!((found / depth - 1.0).abs() < 1e-14, "{profile}: d({a:e}) = {found:e} and not {depth:e}");
         }
     }
 }
@@ -109,6 +109,6 @@ fn scenes_find_the_same_radii() {
         let at = format!("{depth:e}");
         let found = values(&run(&[&["eval", profile, "--quantity", "a", "--json", "--at", &at], &used[..]].concat()))[0];
         let (solved, found) = (solved.unwrap(), found.unwrap());
-        assert!((solved / found - 1.0).abs() < 1e-12, "{shape}: {solved:e} and {found:e}");
+        assert!((solved / found - 1.0).abs() < 1e-14, "{shape}: {solved:e} and {found:e}");
     }
 }

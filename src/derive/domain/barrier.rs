@@ -3,10 +3,11 @@
 use crate::derive::closed_form::ClosedForm;
 use crate::derive::domain::demand::Demand;
 use crate::derive::domain::first_zero::Zero;
+use crate::derive::domain::numeric_sign::certain_sign;
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Symbol};
 use crate::integrate::error::TransformError;
-use crate::num::{Bounded, work};
+use crate::num::work;
 use std::sync::{Mutex, PoisonError};
 
 /// A demand with numbers for its parameters.
@@ -181,9 +182,4 @@ fn last_before(from: f64, to: f64, is_so: impl Fn(f64) -> bool) -> f64 {
         *(if is_so(middle) { &mut beyond } else { &mut before }) = middle;
     }
     before
-}
-
-/// 1 or −1 if the bound determines the sign.
-fn certain_sign(value: Bounded) -> Option<f64> {
-    (value.value.abs() > value.error).then(|| value.value.signum())
 }

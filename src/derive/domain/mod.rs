@@ -10,6 +10,7 @@ pub(crate) mod located;
 pub(crate) mod numeric_sign;
 
 use crate::derive::angles;
+use crate::derive::domain::numeric_sign::certain_sign;
 use crate::derive::stream::Stream;
 use crate::eval::{BoundedAlgebra, WideAlgebra, constant_value, walk};
 use crate::expr::function::has_pole;
@@ -259,11 +260,10 @@ fn converges(piece: &Expr, set: &Bindings) -> bool {
 /// 1 or −1 if the error bound of the value determines its sign, in double precision or with 30 digits.
 pub(crate) fn certain_sign_at(expr: &Expr, set: &Bindings, r: f64) -> Option<f64> {
     let here = set.apply(expr);
-    let is_certain = |value: f64, error: f64| (value.abs() > error).then(|| value.signum());
     let own = walk(&here, &mut BoundedAlgebra, &mut |_| Some(Bounded::exact(r))).ok();
-    own.and_then(|own| is_certain(own.value, own.error)).or_else(|| {
-        let own = walk(&here, &mut WideAlgebra, &mut |_| Some(Wide::new(Precise::exact(r)))).ok()?.precise();
-        is_certain(own.value.hi, own.error)
+    own.and_then(certain_sign).or_else(|| {
+        let own = walk(&here, &mut WideAlgebra, &mut |_| Some(Wide::new(Precise::exact(r)))).ok()?;
+        certain_sign(own.precise().bounded())
     })
 }
 
