@@ -10,8 +10,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let run = Run::new(&scene, &solution)?;
     let state = run.state(0, false).ok_or("no valid contact exists for this force")?;
     println!("d = {:?}, a = {:?}, {:?}", state.depth, state.radius, state.boundary);
-    for r in (0..10).map(|step| f64::from(step) * 0.1) {
-        match run.point(Quantity::Pressure, Some(&state), r).value {
+    let radii: Vec<f64> = (0..10).map(|step| f64::from(step) * 0.1).collect();
+    for (r, point) in radii.iter().zip(run.points(Quantity::Pressure, Some(&state), &radii)) {
+        match point.value {
             Ok((pressure, error)) => println!("p({r:.1}) = {pressure:?} with an error of at most {error:.1e}"),
             Err(why) => println!("p({r:.1}): {why}"),
         }

@@ -7,7 +7,7 @@ use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::{PyArithmeticError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use self_cell::self_cell;
-use sneddon::contact::{Contact, ContactError, Indentation, Kind, Load, Measured, Part, Quantity, Setup, explicit};
+use sneddon::contact::{Absence, Contact, ContactError, Indentation, Kind, Load, Measured, Part, Quantity, Setup, each_point, explicit};
 use sneddon::expr::{Bindings, Expr, Number};
 use sneddon::num::work::{self, Budget};
 use sneddon::num::{Bound as Ground, Estimate};
@@ -311,14 +311,19 @@ impl Engine {
         }
         let steps = Budget::DEFAULT.count().saturating_add(STEPS.saturating_mul(at.len() as u64));
         work::within(Budget::steps(steps), || {
-            // Closed forms at many places do not say what their bounds rest on.
-            if out.grounds.is_none() && self.slice(wanted, at, out.values, out.bounds.as_deref_mut())? {
+            // Closed forms at many places do not say what their bounds rest on, and their errors do not say at which place.
+            if out.grounds.is_none() && matches!(self.slice(wanted, at, out.values, out.bounds.as_deref_mut()), Ok(true)) {
                 return Ok(());
             }
-            for (index, x) in at.iter().enumerate() {
-                work::check()?;
-                let a = radius.and_then(|own| own.get(index)).copied().unwrap_or(*x);
-                let found = self.read(wanted, *x, a).map_err(|fault| fault.place(format!("flat index {}", offset + index)))?;
+            let points: Vec<(f64, f64)> = match radius {
+                Some(radius) => at.iter().copied().zip(radius.iter().copied()).collect(),
+                None => at.iter().map(|at| (*at, *at)).collect(),
+            };
+            for (index, found) in self.each(wanted, &points).into_iter().enumerate() {
+                let found = found.map_err(|absence| match absence {
+                    Absence::Failed(fault) => fault.place(format!("flat index {}", offset + index)),
+                    Absence::Unfinished => Fault::from(work::exhausted()).place(format!("flat index {}", offset + index)),
+                })?;
                 if let Some(own) = out.values.get_mut(index) {
                     *own = found.value;
                 }
@@ -331,6 +336,26 @@ impl Engine {
             }
             Ok(())
         })
+    }
+
+    /// The value at every place and contact radius, up to the first one without a value, which ends an array.
+    fn each(&self, wanted: Quantity, points: &[(f64, f64)]) -> Vec<Result<Estimate, Absence<Fault>>> {
+        let mut has_failed = false;
+        let mut until = |read: &dyn Fn(f64, f64) -> Result<Estimate, Fault>| {
+            each_point(points, 1, |block: &[(f64, f64)]| {
+                let found = if has_failed { Err(work::exhausted().into()) } else { block.iter().map(|(at, a)| read(*at, *a)).collect() };
+                has_failed |= found.is_err();
+                found
+            })
+        };
+        match (&self.shape, points) {
+            (Shape::Formula { solved, .. }, [(_, a), ..]) if wanted == Quantity::Pressure && points.iter().all(|own| own.1 == *a) => solved
+                .with_dependent(|_, contact| {
+                    let contact = contact.for_pressures(*a, points.len());
+                    until(&|at, a| told(wanted, wanted.number(&contact, at, a)?))
+                }),
+            _ => until(&|at, a| self.read(wanted, at, a)),
+        }
     }
 
     /// Closed forms of one argument, straight into the buffers; false where there is no such way.

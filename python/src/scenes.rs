@@ -96,6 +96,24 @@ struct Values {
     ground: Ground,
 }
 
+impl Values {
+    /// Adds the point with this index, or says why it has no value.
+    fn take(&mut self, index: usize, curve: Quantity, found: Result<(f64, f64), &'static str>, ground: Ground) -> Result<(), Fault> {
+        let (value, error, ground) = match found {
+            Ok((value, error)) => (value, error, ground),
+            // Infinite by theory at an apex, a kink or a rim.
+            Err(why) => match infinite_value(curve, why) {
+                Some(infinite) => (infinite, 0.0, Ground::Proven),
+                None => return Err(Fault::new(why).place(format!("flat index {index}"))),
+            },
+        };
+        self.values.push(value);
+        self.errors.push(error);
+        self.ground = self.ground.and(ground);
+        Ok(())
+    }
+}
+
 /// p and u.
 fn fields(
     text: &str,
@@ -129,34 +147,29 @@ fn fields(
             Ok((run.field(&grid, Quantity::Pressure, Some(&state), true), count))
         })?);
     }
-    let point = |curve: Quantity, index: usize, r: f64| {
-        let found = match (&means, curve) {
-            (Some((field, count)), Quantity::Pressure) => (field.at(&[index / count, index % count]), field.bound()),
-            _ => {
-                let point = run.point(curve, Some(&state), r);
-                (point.value, point.bound)
+    let radii: Vec<f64> = x.iter().zip(y).map(|(x, y)| x.hypot(*y) / length).collect();
+    let values = |curve: Quantity| -> Result<Values, Fault> {
+        let points = within(|| {
+            work::allow((radii.len() as u64).saturating_mul(STEPS));
+            Ok(run.points(curve, Some(&state), &radii))
+        })?;
+        let mut out = Values::default();
+        for (index, own) in points.into_iter().enumerate() {
+            out.take(index, curve, own.value, own.bound)?;
+        }
+        Ok(out)
+    };
+    let pressures = match means {
+        None => values(Quantity::Pressure)?,
+        Some((field, count)) => {
+            let mut out = Values::default();
+            for index in 0..radii.len() {
+                out.take(index, Quantity::Pressure, field.at(&[index / count, index % count]), field.bound())?;
             }
-        };
-        match found {
-            // Infinite by theory at an apex, a kink or a rim.
-            (Err(why), _) if infinite_value(curve, why).is_some() => {
-                Ok(((infinite_value(curve, why).unwrap_or(f64::NAN), 0.0), Ground::Proven))
-            }
-            (Err(why), _) => Err(Fault::new(why).place(format!("flat index {index}"))),
-            (Ok(value), ground) => Ok((value, ground)),
+            out
         }
     };
-    let mut out = [Values::default(), Values::default()];
-    for (index, (x, y)) in x.iter().zip(y).enumerate() {
-        let r = x.hypot(*y) / length;
-        let found = within(|| Ok([point(Quantity::Pressure, index, r)?, point(Quantity::Displacement, index, r)?]))?;
-        for (own, ((value, error), ground)) in out.iter_mut().zip(found) {
-            own.values.push(value);
-            own.errors.push(error);
-            own.ground = own.ground.and(ground);
-        }
-    }
-    Ok(out)
+    Ok([pressures, values(Quantity::Displacement)?])
 }
 
 /// The document that `sneddon validate --json` prints, of files in memory.

@@ -280,3 +280,20 @@ def test_every_quantity_is_known_by_its_key():
         own.quantity("p", radius=a)
     with pytest.raises(TypeError, match="F takes no place"):
         own.quantity("F", 0.2, radius=a)
+
+
+def test_long_arrays_of_expensive_pressures_agree_with_single_ones():
+    """Class "finished work is never thrown away": 200 pressures, each of which takes some 10 ms alone."""
+    contact = sneddon.Contact("struveh(0,r)*r^2", E_star=1.0)
+    r = np.linspace(0, 0.99, 200)
+    values, bounds = contact.pressure(r, radius=1.0, with_bound=True)
+    assert (bounds <= 1e-10 * values).all()
+    for index in (0, 57, 199):
+        value, bound = contact.pressure(float(r[index]), radius=1.0, with_bound=True)
+        assert abs(values[index] - value) <= bounds[index] + bound
+
+
+def test_an_array_ends_with_the_error_of_its_first_failing_entry():
+    with pytest.raises(sneddon.SneddonError, match="ends at r = 2") as raised:
+        SPHERE.force(radius=[0.5, 2.5, 3.5])
+    assert raised.value.place == "flat index 1"

@@ -1,7 +1,7 @@
 //! `eval --method curve`: one expansion of f′ for all points.
 
 use super::Failure;
-use crate::contact::{Contact, ContactError, Measured, Quantity, Reason};
+use crate::contact::{Contact, ContactError, Measured, Quantity, Reason, each_point, with_reasons};
 use crate::num::{Bounded, Estimate};
 use crate::transform::{Curve, PressureCurve, Reading, TransformError};
 
@@ -30,7 +30,11 @@ pub(super) fn readings(
         return Err(Failure::new(message).help("expected g, d, F, G, p or k; other quantities need another --method"));
     }
     let refused = |error: TransformError| failed(error.into());
-    let furthest = asked.radius.unwrap_or_else(|| asked.at.iter().copied().fold(0.0, f64::max));
+    let inside = |at: f64| match asked.radius {
+        Some(_) => Ok(()),
+        None => contact.evaluator().check_domain(asked.quantity.coordinate(), at),
+    };
+    let furthest = asked.radius.unwrap_or_else(|| asked.at.iter().copied().filter(|at| inside(*at).is_ok()).fold(0.0, f64::max));
     // The expansion needs an interval of positive length, even if only the axis is requested.
     let limit = contact.evaluator().limit();
     let reach = if furthest > 0.0 { furthest } else { (0.5 * limit).min(1.0) };
@@ -40,7 +44,12 @@ pub(super) fn readings(
         Some(a) => Some(curve.pressures(a).map_err(refused)?),
         None => None,
     };
-    asked.at.iter().map(|at| reading(&curve, pressures.as_ref(), asked, *at).map_err(refused)).collect()
+    let read = |at: f64| {
+        inside(at)?;
+        Ok(reading(&curve, pressures.as_ref(), asked, at)?)
+    };
+    let found = each_point(asked.at, usize::MAX, |block: &[f64]| block.iter().map(|at| read(*at)).collect());
+    with_reasons(found).map_err(failed)
 }
 
 fn reading(curve: &Curve<'_>, pressures: Option<&PressureCurve<'_>>, asked: &Asked<'_>, at: f64) -> Result<Measured, TransformError> {

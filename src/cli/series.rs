@@ -1,9 +1,9 @@
 //! `eval --method series`: computes a quantity from its power series.
 
 use super::Failure;
-use crate::contact::{Measured, Quantity, Reason};
+use crate::contact::{Contact, Measured, Quantity, Reason};
 use crate::num::{Bounded, Estimate};
-use crate::transform::{HIGHEST_ORDER, Profile, Reading, SeriesEvaluator, SeriesFailure};
+use crate::transform::{HIGHEST_ORDER, Profile, Reading, SeriesEvaluator, SeriesFailure, TransformError};
 
 /// Returns true for quantities whose series terms are all known.
 pub(super) fn answers(quantity: Quantity) -> bool {
@@ -30,13 +30,16 @@ pub(super) fn readings(
     order: usize,
     at: &[f64],
     radius: Option<f64>,
-    effective_modulus: f64,
+    contact: &Contact<'_>,
 ) -> Result<Vec<Measured>, Failure> {
     let failed = |error: SeriesFailure| Failure::new(error.to_string());
     let series = SeriesEvaluator::new(profile, order).map_err(failed)?;
-    let modulus = Bounded::exact(effective_modulus);
+    let modulus = Bounded::exact(contact.effective_modulus());
     let times = |reading: Reading, factor: Bounded| Reading { estimate: reading.estimate.times(factor), ..reading };
     let value = |at: f64| -> Result<Measured, SeriesFailure> {
+        if !quantity.needs_radius() {
+            contact.evaluator().check_domain(quantity.coordinate(), at)?;
+        }
         Ok(Ok(match quantity {
             Quantity::Profile => series.height(at)?,
             Quantity::Equivalent | Quantity::Depth => series.equivalent(at)?,
@@ -58,7 +61,11 @@ pub(super) fn readings(
     // A point without a value has a reason instead.
     let found: Vec<Result<Measured, SeriesFailure>> = at.iter().map(|point| value(*point)).collect();
     if found.iter().any(Result::is_ok) {
-        return Ok(found.into_iter().map(|own| own.unwrap_or_else(|error| Err(Reason::Refused(error.to_string())))).collect());
+        let reason = |error| match error {
+            SeriesFailure::Transform(TransformError::Exhausted(_)) => Reason::Unfinished,
+            error => Reason::Refused(error.to_string()),
+        };
+        return Ok(found.into_iter().map(|own| own.unwrap_or_else(|error| Err(reason(error)))).collect());
     }
     found.into_iter().map(|own| own.map_err(failed)).collect()
 }

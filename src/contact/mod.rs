@@ -26,7 +26,7 @@ pub use foundation::{FoundationState, SpringFoundation};
 pub use indentation::{Body, Boundary, Estimates, Finding, Indentation, Indented, Load, Naming, Part, Setup, Severity, State, in_unit};
 pub use material::{ElasticBody, TransverselyIsotropic, effective_modulus};
 pub use mean::PartialForce;
-pub use points::{Expanded, each_point};
+pub use points::{Absence, Expanded, each_point, with_reasons};
 #[cfg(feature = "scene")]
 pub(crate) use problem::step_of;
 pub use problem::{Contact, Measured, Reason};

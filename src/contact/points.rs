@@ -1,6 +1,6 @@
 //! Evaluation of a list of points, in which a failure at one point does not affect the others.
 
-use super::{Contact, ContactError, Measured, Reason};
+use super::{Contact, ContactError, Measured, Quantity, Reason};
 use crate::num::{Bounded, work};
 use crate::transform::{PressureCurve, Quantities, Reading, TransformError};
 use std::sync::Arc;
@@ -21,11 +21,18 @@ const TYPICAL: [f64; 2] = [0.37, 0.61];
 const FINE: f64 = 1e-10;
 
 impl<'a, P: Quantities + ?Sized> Contact<'a, P> {
-    /// Returns whether `count` pressures under the radius `a` cost too much one by one.
+    /// Returns this contact for `count` pressures under the radius `a`, with one expansion for all of them where they cost too much one by
+    /// one; see [`Contact::with_pressures`].
+    pub fn for_pressures(&self, a: f64, count: usize) -> Contact<'a, Expanded<P>> {
+        let is_chosen = self.are_expensive(a, count);
+        self.with_pressures(if is_chosen { self.evaluator().pressure_curve(a).map(Arc::new) } else { None })
+    }
+
+    /// Returns whether `count` pressures under the radius `a` cost too much one by one, and have an expansion.
     ///
     /// The decision depends on counted steps and not on the budget, so that a budget changes no answer.
-    pub fn are_expensive(&self, a: f64, count: usize) -> bool {
-        if count < MANY || a.is_nan() || a <= 0.0 {
+    pub(crate) fn are_expensive(&self, a: f64, count: usize) -> bool {
+        if count < MANY || a.is_nan() || a <= 0.0 || !self.evaluator().has_pressure_curve() {
             return false;
         }
         let cost = |part: f64| {
@@ -41,10 +48,65 @@ impl<'a, P: Quantities + ?Sized> Contact<'a, P> {
     ///
     /// The errors of the expansion are estimated; where one exceeds 1e-10 of the value, without an expansion, and for every other
     /// quantity, the profile is asked as before.
-    pub fn with_pressures(&self, curve: Option<Arc<PressureCurve<'static>>>) -> Contact<'a, Expanded<P>> {
+    pub(crate) fn with_pressures(&self, curve: Option<Arc<PressureCurve<'static>>>) -> Contact<'a, Expanded<P>> {
         let evaluator = Expanded { profile: self.shared_evaluator(), curve };
         Contact::new(evaluator, self.effective_modulus(), self.depth_of_rim(), self.tolerance())
     }
+}
+
+impl Contact<'_> {
+    /// The numbers of a quantity at every point, and for a field under a contact of this radius; as [`Quantity::number`] one by one.
+    ///
+    /// A point without a value has a [`Reason`], which is [`Reason::Unfinished`] if the budget was exhausted. Many expensive pressures come
+    /// from one expansion.
+    ///
+    /// # Errors
+    /// If no point has a value: the first error, or the exhausted budget.
+    ///
+    /// ```
+    /// use sneddon::contact::{Contact, Quantity};
+    /// use sneddon::{expr::Bindings, parse, transform::{Evaluator, Method, Profile, derive}};
+    /// let solution = derive(&Profile::new(&parse::profile("2-sqrt(4-r^2)").unwrap()).unwrap()).unwrap();
+    /// let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    /// let contact = Contact::new(evaluator, 1.0, None, 1e-13);
+    /// // The sphere ends at r = 2.
+    /// let forces = contact.numbers(Quantity::Force, &[0.5, 1.5, 2.5], None).unwrap();
+    /// assert!(forces[0].is_ok() && forces[1].is_ok() && forces[2].is_err());
+    /// ```
+    pub fn numbers(&self, quantity: Quantity, at: &[f64], radius: Option<f64>) -> Result<Vec<Measured>, ContactError> {
+        let under = radius.filter(|_| quantity == Quantity::Pressure).map(|a| (a, self.for_pressures(a, at.len())));
+        let expanded = under.filter(|(_, own)| own.evaluator().curve.is_some());
+        let read = |block: &[f64]| match &expanded {
+            Some((a, own)) => block.iter().map(|r| own.pressure(*r, *a)).collect(),
+            None => self.block(quantity, block, radius),
+        };
+        if at.len() == 1 {
+            // The whole budget is for this point, and its error is that of the list.
+            return read(at);
+        }
+        with_reasons(each_point(at, usize::MAX, read))
+    }
+}
+
+/// The numbers of a list, each missing one with its [`Reason`].
+///
+/// # Errors
+/// If no point has a value: the first error, or the exhausted budget.
+pub fn with_reasons(found: Vec<Result<Measured, Absence<ContactError>>>) -> Result<Vec<Measured>, ContactError> {
+    let mut first = None;
+    let mut reason = |absence| match absence {
+        Absence::Unfinished | Absence::Failed(ContactError::Transform(TransformError::Exhausted(_))) => Reason::Unfinished,
+        Absence::Failed(error) => {
+            let why = Reason::Refused(error.to_string());
+            first.get_or_insert(error);
+            why
+        }
+    };
+    let readings: Vec<Measured> = found.into_iter().map(|own| own.unwrap_or_else(|absence| Err(reason(absence)))).collect();
+    if readings.iter().all(|own| matches!(own, Err(Reason::Refused(_) | Reason::Unfinished))) {
+        return Err(first.unwrap_or_else(|| work::exhausted().into()));
+    }
+    Ok(readings)
 }
 
 /// A profile whose pressures under one contact radius come from one expansion; see [`Contact::with_pressures`].
@@ -116,33 +178,36 @@ impl<P: Quantities + ?Sized> Quantities for Expanded<P> {
     }
 }
 
-/// Evaluates a list of points with `read`, in blocks, within the open budget.
+/// Why a point of [`each_point`] has no value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Absence<E> {
+    /// The error at this point, which says nothing about the others.
+    Failed(E),
+    /// The budget was exhausted.
+    Unfinished,
+}
+
+/// Evaluates a list of points with `read`, in blocks of at most `largest_block` points, within the open budget.
 ///
-/// The block size doubles after each success. A block that fails or exceeds its budget is evaluated point by point. A point without
-/// a value is returned as `Err` with its [`Reason`], which is [`Reason::Unfinished`] if the budget was exhausted.
-///
-/// # Errors
-/// If no point has a value: the first error, or the exhausted budget.
+/// The block size doubles after each success. A block that fails or exceeds its budget is evaluated point by point, each of which may
+/// use half of the remaining budget.
 ///
 /// ```
-/// use sneddon::contact::{Contact, each_point};
-/// use sneddon::{expr::Bindings, parse, transform::{Evaluator, Method, Profile, derive}};
-/// let solution = derive(&Profile::new(&parse::profile("2-sqrt(4-r^2)").unwrap()).unwrap()).unwrap();
-/// let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
-/// let contact = Contact::new(evaluator, 1.0, None, 1e-13);
-/// // The sphere ends at r = 2.
-/// let forces = each_point(&[0.5, 1.5, 2.5], |a| contact.forces(a)).unwrap();
-/// assert!(forces[0].is_ok() && forces[1].is_ok() && forces[2].is_err());
+/// use sneddon::contact::{Absence, each_point};
+/// let roots = each_point(&[1.0, -1.0, 4.0], usize::MAX, |block: &[f64]| {
+///     block.iter().map(|x| if *x < 0.0 { Err("negative") } else { Ok(x.sqrt()) }).collect()
+/// });
+/// assert_eq!(roots, [Ok(1.0), Err(Absence::Failed("negative")), Ok(2.0)]);
 /// ```
-pub fn each_point(at: &[f64], mut read: impl FnMut(&[f64]) -> Result<Vec<Measured>, ContactError>) -> Result<Vec<Measured>, ContactError> {
-    if at.len() == 1 {
-        // A single point returns its error unchanged.
-        return read(at);
-    }
+pub fn each_point<P, T, E>(
+    points: &[P],
+    largest_block: usize,
+    mut read: impl FnMut(&[P]) -> Result<Vec<T>, E>,
+) -> Vec<Result<T, Absence<E>>> {
     let reserve = work::left() / FOR_THE_ANSWER;
-    let (mut readings, mut first): (Vec<Measured>, Option<ContactError>) = (Vec::with_capacity(at.len()), None);
+    let mut list = Vec::with_capacity(points.len());
     let (mut size, mut dearest) = (1, 0);
-    while let Some(rest) = at.get(readings.len()..).filter(|rest| !rest.is_empty()) {
+    while let Some(rest) = points.get(list.len()..).filter(|rest| !rest.is_empty()) {
         let left = work::left().saturating_sub(reserve);
         let affordable = usize::try_from(left / (2 * HEADROOM * dearest).max(1)).unwrap_or(usize::MAX);
         let block = rest.get(..size.min(affordable).max(1)).unwrap_or(rest);
@@ -152,20 +217,13 @@ pub fn each_point(at: &[f64], mut read: impl FnMut(&[f64]) -> Result<Vec<Measure
         match (work::until_deadline(|| work::share(most, || read(block))), block) {
             (Some(Ok(found)), _) => {
                 dearest = dearest.max((before - work::left()) / count);
-                readings.extend(found);
-                size = 2 * block.len();
+                list.extend(found.into_iter().map(Ok));
+                size = (2 * block.len()).min(largest_block);
             }
-            (Some(Err(ContactError::Transform(TransformError::Exhausted(_)))), [_]) => readings.push(Err(Reason::Unfinished)),
-            (Some(Err(error)), [_]) => {
-                readings.push(Err(Reason::Refused(error.to_string())));
-                first.get_or_insert(error);
-            }
-            (None, [_]) => readings.push(Err(Reason::Unfinished)),
+            (Some(Err(error)), [_]) => list.push(Err(Absence::Failed(error))),
+            (None, [_]) => list.push(Err(Absence::Unfinished)),
             _ => size = 1,
         }
     }
-    if readings.iter().any(|own| !matches!(own, Err(Reason::Refused(_) | Reason::Unfinished))) {
-        return Ok(readings);
-    }
-    Err(first.unwrap_or_else(|| work::exhausted().into()))
+    list
 }

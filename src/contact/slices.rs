@@ -1,7 +1,7 @@
 //! The numbers of a contact over long lists of points, block by block where closed forms answer.
 
 use super::problem::representable;
-use super::{Contact, ContactError, Measured};
+use super::{Contact, ContactError, Measured, Quantity};
 use crate::num::{Bounded, Estimate};
 use crate::transform::{Origin, Reading, Slice, TransformError};
 
@@ -60,6 +60,21 @@ impl Contact<'_> {
             |r, out| self.evaluator().pressures(r, a, out),
             |r, smooth| if smooth.estimate.value.is_infinite() { Err(self.singularity(r, a)) } else { Ok(scaled(smooth, factor)) },
         )
+    }
+
+    /// A quantity at every point, and for a field under a contact of this radius.
+    ///
+    /// # Errors
+    /// As [`Contact::profiles`].
+    pub(super) fn block(&self, quantity: Quantity, at: &[f64], radius: Option<f64>) -> Result<Vec<Measured>, ContactError> {
+        match (quantity, radius) {
+            (Quantity::Profile, _) => self.profiles(at),
+            (Quantity::Equivalent, _) => self.equivalents(at),
+            (Quantity::Depth, _) => self.depths(at),
+            (Quantity::Force, _) => self.forces(at),
+            (Quantity::Pressure, Some(a)) => self.pressures(at, a),
+            _ => at.iter().map(|point| quantity.number(self, *point, radius.unwrap_or(*point))).collect(),
+        }
     }
 }
 

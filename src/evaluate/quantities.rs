@@ -1,7 +1,7 @@
 //! The interface between a contact and its profile, which may be a formula, a closure or a table.
 
 use crate::evaluate::curve::PressureCurve;
-use crate::evaluate::evaluator::{Evaluator, Reading};
+use crate::evaluate::evaluator::{Evaluator, Method, Reading};
 use crate::integrate::error::TransformError;
 use crate::num::Bounded;
 
@@ -90,6 +90,11 @@ pub trait Quantities: Send + Sync {
         self.f_prime_over(0.0, radius).map(|(low, high)| (0.0, low.abs().max(high.abs())))
     }
 
+    /// True for profiles that may have one expansion for all pressures under a contact, and whose method leaves that choice.
+    fn has_pressure_curve(&self) -> bool {
+        false
+    }
+
     /// The pressures under a contact of radius a as one expansion, for profiles that have one.
     fn pressure_curve(&self, _a: f64) -> Option<PressureCurve<'static>> {
         None
@@ -142,6 +147,10 @@ impl Quantities for Evaluator<'_> {
 
     fn power_at_axis(&self, radius: f64) -> Option<(f64, f64)> {
         self.typed().ok()?.power_at_axis(radius)
+    }
+
+    fn has_pressure_curve(&self) -> bool {
+        self.method == Method::Auto
     }
 
     fn pressure_curve(&self, a: f64) -> Option<PressureCurve<'static>> {

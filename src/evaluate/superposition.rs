@@ -100,6 +100,10 @@ impl Quantities for Superposition<'_> {
         }
     }
 
+    fn has_pressure_curve(&self) -> bool {
+        matches!(self.parts.as_slice(), [only] if only.has_pressure_curve())
+    }
+
     fn pressure_curve(&self, a: f64) -> Option<PressureCurve<'static>> {
         match self.parts.as_slice() {
             [only] => only.pressure_curve(a),

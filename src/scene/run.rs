@@ -3,12 +3,12 @@
 use super::regime::{Regime, SAME_SHAPE, Simple};
 use super::{Control, DepthFrom, Dimension, Loads, MeasuredTip, Quantity, Row, Scene, SceneError, Work};
 use crate::contact::{
-    Boundary, Contact, ContactError, Estimates, Expanded, Finding, Indentation, Indented, Kind, Load, Loaded, Naming, Part, Reason, Setup,
-    Severity, State, in_unit, step_of,
+    Absence, Boundary, Contact, ContactError, Estimates, Expanded, Finding, Indentation, Indented, Kind, Load, Loaded, Naming, Part,
+    Reason, Setup, Severity, State, each_point, in_unit, step_of,
 };
 use crate::num::{Bound, Bounded, Estimate, work};
 use crate::scene::file::dimensioned::to_f64;
-use crate::transform::{Method, PressureCurve, Quantities, Reading, Solution, Superposition, TableProfile, TransformError};
+use crate::transform::{PressureCurve, Quantities, Reading, Solution, Superposition, TableProfile, TransformError};
 use std::cell::{Cell, OnceCell, RefCell};
 use std::sync::Arc;
 
@@ -374,21 +374,32 @@ impl<'a> Run<'a> {
     }
 
     /// Returns a curve on its grid, each point with its coordinate in computing units.
-    pub fn points(&self, curve: Quantity, state: Option<State>) -> impl Iterator<Item = (f64, Point)> + '_ {
+    pub fn curve(&self, curve: Quantity, state: Option<State>) -> Vec<(f64, Point)> {
         let grid = self.grid(curve);
         let shown = self.scene.shown.as_ref().map(|own| if curve.coordinate() == "z" { &own.depths } else { &own.at });
-        (0..grid.len()).filter_map(move |index| {
-            let own = grid.get(index)?;
-            let point = self.point(curve, state.as_ref(), own);
-            Some((own, Point { at: shown.and_then(|own| own.get(index)).unwrap_or(point.at), ..point }))
-        })
+        let at: Vec<f64> = (0..grid.len()).filter_map(|index| grid.get(index)).collect();
+        let points = at.iter().copied().zip(self.points(curve, state.as_ref(), &at)).enumerate();
+        points.map(|(index, (at, own))| (at, Point { at: shown.and_then(|own| own.get(index)).unwrap_or(own.at), ..own })).collect()
     }
 
-    /// Returns a curve at one coordinate, in computing units; p, u and the stress require the state.
-    pub fn point(&self, curve: Quantity, state: Option<&State>, at: f64) -> Point {
+    /// Returns a curve at coordinates in computing units; p, u and the stress require the state.
+    pub fn points(&self, curve: Quantity, state: Option<&State>, at: &[f64]) -> Vec<Point> {
+        let found = each_point(at, 1, |block: &[f64]| {
+            let found = block.iter().map(|at| self.reading(curve, state, *at)).collect();
+            self.told();
+            found
+        });
+        let known = |own: Result<Reading, Absence<&'static str>>| {
+            own.map_err(|absence| match absence {
+                Absence::Failed(why) => why,
+                Absence::Unfinished => self.point_is_cut(),
+            })
+        };
+        at.iter().zip(found).map(|(at, own)| self.point(curve, state, *at, known(own))).collect()
+    }
+
+    fn point(&self, curve: Quantity, state: Option<&State>, at: f64, found: Result<Reading, &'static str>) -> Point {
         let system = &self.scene.system;
-        let found = self.curve(curve, state, at);
-        self.told();
         let factor = system.out(curve.dimension());
         let mut bound = found.map_or(Bound::Proven, |own| own.estimate.bound);
         let value = found.and_then(|own| {
@@ -406,11 +417,7 @@ impl<'a> Run<'a> {
         Point { at: at * system.out(Dimension::LENGTH), value, bound }
     }
 
-    fn curve(&self, curve: Quantity, state: Option<&State>, at: f64) -> Result<Reading, &'static str> {
-        work::part(|| self.curve_point(curve, state, at)).unwrap_or_else(|| Err(self.point_is_cut()))
-    }
-
-    fn curve_point(&self, curve: Quantity, state: Option<&State>, at: f64) -> Result<Reading, &'static str> {
+    fn reading(&self, curve: Quantity, state: Option<&State>, at: f64) -> Result<Reading, &'static str> {
         let zero = || Reading { estimate: Estimate::exact(0.0), method: "exact" };
         let outside = "the profile ends before this radius";
         if curve.kind() == Kind::Shape {
@@ -455,8 +462,7 @@ impl<'a> Run<'a> {
     pub(super) fn for_pressures(&self, state: &State) -> Contact<'a, Expanded<Superposition<'a>>> {
         let contact = self.contact(state);
         // The first state decides for all.
-        let are_expensive = || self.expensive.get().unwrap_or_else(|| contact.are_expensive(state.radius, self.many.get()));
-        let is_chosen = self.scene.method == Method::Auto && are_expensive();
+        let is_chosen = self.expensive.get().unwrap_or_else(|| contact.are_expensive(state.radius, self.many.get()));
         self.expensive.set(Some(is_chosen));
         let known = self.expansion.borrow().clone().filter(|own| own.0 == *state);
         let (_, curve) = known.unwrap_or_else(|| {

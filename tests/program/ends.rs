@@ -16,6 +16,24 @@ fn values(done: &Output) -> Vec<Option<f64>> {
     document["points"].as_array().unwrap().iter().map(|own| own["value"].as_f64()).collect()
 }
 
+/// Class "one point without a value": the others keep theirs, whichever method has been asked for. The values are those of ½x·ln((2+x)/(2-x)).
+#[test]
+fn a_place_beyond_the_end_leaves_the_others_alone() {
+    let g = |x: f64| 0.5 * x * ((2.0 + x) / (2.0 - x)).ln();
+    for method in ["auto", "exact", "quadrature", "curve", "series"] {
+        let done = run(&["eval", "2-sqrt(4-r^2)", "--quantity", "g", "--at", "0.5,2.5,1.25", "--method", method, "--json"]);
+        let [Some(one), None, Some(other)] = values(&done)[..] else { panic!("{method}: {done:?}") };
+        let document: Value = serde_json::from_slice(&done.stdout).unwrap();
+        for (index, value, truth) in [(0, one, g(0.5)), (2, other, g(1.25))] {
+            let error = document["points"][index]["error_estimate"].as_f64().unwrap();
+            assert!((value - truth).abs() <= error + 2.0 * f64::EPSILON * truth && error < 1e-6, "{method}: {value} {truth} {error}");
+        }
+        assert!(document["points"][1]["why"].as_str().unwrap().contains("which ends at r = 2"), "{method}");
+        let done = run(&["eval", "2-sqrt(4-r^2)", "--quantity", "g", "--at", "2.5", "--method", method, "--json"]);
+        assert!(done.status.code() == Some(2) && done.stdout.is_empty(), "{method}: {done:?}");
+    }
+}
+
 /// Class "a number beyond a pole": g of tan(r) at 1.9 was 3.5e14 with exit code 0. The ends are by mpmath.
 #[test]
 fn places_beyond_a_pole_are_bad_input() {

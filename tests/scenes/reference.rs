@@ -100,7 +100,7 @@ fn points_are_symmetric() {
         for (i, j) in (0..12).flat_map(|i| (0..12).map(move |j| (i, j))) {
             let r = grid.coordinate(i).hypot(grid.coordinate(j));
             assert_eq!(field.at(&[i, j]), field.at(&[j, i]));
-            assert_eq!(field.at(&[i, j]).unwrap(), run.point(curve, Some(&state), r).value.unwrap());
+            assert_eq!(field.at(&[i, j]).unwrap(), run.points(curve, Some(&state), &[r])[0].value.unwrap());
         }
     }
 }
@@ -242,7 +242,7 @@ fn fields_inherit_the_error_of_the_contact_radius() {
                 }
             };
             let check = |quantity: Quantity, at: f64, truth: DoubleDouble| {
-                let (value, error) = run.point(quantity, Some(&state), at).value.unwrap();
+                let (value, error) = run.points(quantity, Some(&state), &[at])[0].value.unwrap();
                 let off = ((truth.hi - value) + truth.lo).abs();
                 assert!(off <= error, "{control:?} {load}, {} at {at:?}: {value:?} ± {error:e} is off by {off:e}", quantity.key());
                 error / truth.hi.abs()

@@ -73,7 +73,7 @@ fn named_shapes_have_their_reference_values() {
             close(id, value(Quantity::Stiffness), 2.0 * a, 1e-12);
             let state = run.state(0, true);
             for (r, p) in known["p"].as_object().unwrap() {
-                let point = run.point(Quantity::Pressure, state.as_ref(), r.parse().unwrap());
+                let point = run.points(Quantity::Pressure, state.as_ref(), &[r.parse().unwrap()])[0];
                 close(id, point.value.unwrap().0, number(p), 1e-12);
             }
         });
@@ -95,9 +95,9 @@ fn punches_of_the_chapter() {
     with_run(&concave, |run| {
         close("F", run.row(0).unwrap().value(Quantity::Force).unwrap(), 2.0 * 2.0 * (0.5 + 0.2 / 3.0), 1e-15);
         let state = run.state(0, false);
-        let p = run.point(Quantity::Pressure, state.as_ref(), 1.0).value.unwrap().0;
+        let p = run.points(Quantity::Pressure, state.as_ref(), &[1.0])[0].value.unwrap().0;
         close("p", p, (0.5 - 0.2 + 0.4 * 0.25) / (std::f64::consts::PI * 3f64.sqrt()), 1e-14);
-        assert!(run.point(Quantity::Pressure, state.as_ref(), 2.0).value.unwrap_err().contains("rim"));
+        assert!(run.points(Quantity::Pressure, state.as_ref(), &[2.0])[0].value.unwrap_err().contains("rim"));
     });
     let touch = row(&text("shape = 'concave-paraboloid'\nparameters = { h = 0.1, c = 2 }", "depth = 0.6\ndepth_from = 'first_touch'"));
     close("d", touch.value(Quantity::Depth).unwrap(), 0.5, 1e-15);
@@ -131,7 +131,7 @@ fn only_what_is_asked_for_is_computed() {
     let curves = read(&base.replace("\"d\", \"F\", \"a\", \"k\", \"p_mean\", \"U\"]", "\"p\"]\nat = [0, 0.1]"));
     with_run(&curves, |run| {
         let state = run.state(3, false);
-        run.point(Quantity::Pressure, state.as_ref(), 0.1);
+        run.points(Quantity::Pressure, state.as_ref(), &[0.1]);
         assert_eq!(run.work(), Work { loads: 1, pressures: 1, ..Work::default() });
     });
 }
@@ -314,7 +314,7 @@ proptest! {
             // r = a sin t takes the root at a rim away.
             let mut integrand = |t: Point| {
                 let r = a * t.x.sin();
-                match run.point(Quantity::Pressure, Some(&state), r).value {
+                match run.points(Quantity::Pressure, Some(&state), &[r])[0].value {
                     Ok((p, error)) => Bounded { value: p * r * a * t.x.cos(), error: error * r * a },
                     Err(_) => Bounded::exact(0.0),
                 }

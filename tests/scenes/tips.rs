@@ -85,7 +85,7 @@ const SHAPES: [Known; 5] = [
 const PARTS: [f64; 4] = [0.13, 0.4, 0.66, 0.85];
 
 fn pressures(run: &Run<'_>, state: &State) -> Vec<f64> {
-    PARTS.iter().map(|part| run.point(Quantity::Pressure, Some(state), part * state.radius).value.unwrap().0).collect()
+    PARTS.iter().map(|part| run.points(Quantity::Pressure, Some(state), &[part * state.radius])[0].value.unwrap().0).collect()
 }
 
 /// Depths that reach contact radii anywhere between two points.
@@ -252,7 +252,7 @@ fn laws_hold_on_measured_tips() {
             ends.push(std::f64::consts::FRAC_PI_2);
             let value = |t: f64| {
                 let r = a * t.sin();
-                let p = run.point(Quantity::Pressure, Some(state), r).value.unwrap().0;
+                let p = run.points(Quantity::Pressure, Some(state), &[r])[0].value.unwrap().0;
                 2.0 * std::f64::consts::PI * p * r * a * t.cos()
             };
             let panel = |pair: &[f64]| integral(pair[0], pair[1], value);

@@ -133,7 +133,9 @@ fn laws(scene: &Scene, drawn: &Drawn, tally: &mut Tally, said: &impl Fn() -> Str
 
 /// f or g in computed units.
 fn height(run: &Run<'_>, curve: Quantity, at: f64) -> f64 {
-    run.point(curve, None, at).value.map_or(f64::NAN, |(value, _)| value / run.scene().system.out(curve.dimension()))
+    run.points(curve, None, &[at])
+        .first()
+        .map_or(f64::NAN, |own| own.value.map_or(f64::NAN, |(value, _)| value / run.scene().system.out(curve.dimension())))
 }
 
 /// (F(a₊) − F(a₋))/(d(a₊) − d(a₋)) against 2E*a, at two steps: what does not shrink with the step is a fault.
@@ -154,7 +156,9 @@ fn force_of_pressure(run: &Run<'_>, state: &State, breaks: &[f64]) -> Option<f64
     let edges: Vec<f64> = std::iter::once(0.0).chain(breaks.iter().map(|b| (b / a).asin())).collect();
     let value = |t: Point| {
         let (sine, cosine) = (t.x.sin(), t.x.cos());
-        run.point(Quantity::Pressure, Some(state), a * sine).value.map_or(f64::NAN, |(p, _)| p * sine * cosine)
+        run.points(Quantity::Pressure, Some(state), &[a * sine])
+            .first()
+            .map_or(f64::NAN, |own| own.value.map_or(f64::NAN, |(p, _)| p * sine * cosine))
     };
     let factor = run.scene().system.out(Quantity::Pressure.dimension());
     Some(2.0 * PI * a * a * panels(&edges, FRAC_PI_2, value)? / factor)

@@ -17,7 +17,6 @@ use clap::error::ErrorKind;
 use clap::{Arg, Command};
 use std::ffi::OsStr;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 /// Computes the numbers of a contact, each with an error bound.
 ///
@@ -187,11 +186,9 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     solution.warnings().iter().for_each(|text| warn(text));
     let evaluator = Evaluator::new(&solution, &Bindings::default(), method, tolerance);
     let contact = Contact::new(evaluator.map_err(|error| failed(error.into()))?, effective_modulus, depth, tolerance);
-    // Series and curve answer all points together, and a contact radius belongs to all of them.
-    let together = (by_series || chosen == Chosen::Curve) && !quantity.needs_radius() && !by_load;
-    let shared = radius.filter(|_| quantity.needs_radius()).map(|a| ("a", a));
-    for (symbol, place) in at.iter().filter(|_| together).map(|place| (quantity.coordinate(), *place)).chain(shared) {
-        contact.evaluator().check_domain(symbol, place).map_err(|error| failed(error.into()))?;
+    // The contact radius belongs to all points.
+    if let Some(a) = radius.filter(|_| quantity.needs_radius()) {
+        contact.evaluator().check_domain("a", a).map_err(|error| failed(error.into()))?;
     }
     let contact = if quantity.coordinate() == "d" && matches!(method, Method::Auto | Method::Exact) {
         contact.with_explicit(contact::explicit(&solution), method == Method::Exact)
@@ -202,22 +199,13 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return Err(failed(TransformError::NoClosedForm { quantity: "U" }.into()));
     }
     let readings = if by_series {
-        series::readings(quantity, &profile, order, &at, radius, effective_modulus)?
+        series::readings(quantity, &profile, order, &at, radius, &contact)?
     } else if chosen == Chosen::Curve {
         let radius = radius.filter(|_| quantity.needs_radius());
         let own = curve::Asked { quantity, at: &at, radius, depth, effective_modulus, tolerance: demanded };
         curve::readings(&contact, &own, failed)?
     } else {
-        let many = radius.filter(|_| quantity == Quantity::Pressure && method == Method::Auto);
-        let expanded = many.filter(|a| contact.are_expensive(*a, at.len())).and_then(|a| {
-            let curve = contact.evaluator().pressure_curve(a).ok()?;
-            Some(contact.with_pressures(Some(Arc::new(curve))))
-        });
-        let read = |block: &[f64]| match (&expanded, many) {
-            (Some(own), Some(a)) => block.iter().map(|r| own.pressure(*r, a)).collect(),
-            _ => read_all(quantity, &contact, block, radius),
-        };
-        contact::each_point(&at, read).map_err(failed)?
+        contact.numbers(quantity, &at, radius).map_err(failed)?
     };
     if depth.is_none() {
         work::part(|| warn_of_falls(&contact, quantity, &at, &readings, radius));
@@ -337,18 +325,6 @@ fn with_the_answer(mut asked: Vec<Asked>, reading: &Measured) -> Vec<Asked> {
         asked.insert(0, Asked { way, found: Ok(own.estimate), steps: 0 });
     }
     asked
-}
-
-/// The readings of a list, block by block where closed forms answer.
-fn read_all(quantity: Quantity, contact: &Contact<'_>, at: &[f64], radius: Option<f64>) -> Result<Vec<Measured>, ContactError> {
-    match (quantity, radius) {
-        (Quantity::Profile, _) => contact.profiles(at),
-        (Quantity::Equivalent, _) => contact.equivalents(at),
-        (Quantity::Depth, _) => contact.depths(at),
-        (Quantity::Force, _) => contact.forces(at),
-        (Quantity::Pressure, Some(a)) => contact.pressures(at, a),
-        _ => at.iter().map(|point| quantity.number(contact, *point, radius.unwrap_or(*point))).collect(),
-    }
 }
 
 /// `eval` has a number for every quantity.

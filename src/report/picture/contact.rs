@@ -2,7 +2,7 @@
 
 use super::{Line, Panel, Picture};
 use crate::contact::{Kind, Quantity, State};
-use crate::scene::{Dimension, Run, infinite_value};
+use crate::scene::{Dimension, Point, Run, infinite_value};
 use std::f64::consts::FRAC_PI_2;
 
 /// The items that can be plotted.
@@ -79,8 +79,8 @@ impl Pictured {
                 let named = |what: &str| if name.is_empty() { what.to_owned() } else { format!("{name}, {what}") };
                 let depth = state.depth * length;
                 let places = radii(run, Quantity::Displacement, Some(&state));
-                let tip = places.iter().map(|at| (*at * length, value(run, Quantity::Profile, Some(&state), *at) - depth));
-                let surface = places.iter().map(|at| (*at * length, -value(run, Quantity::Displacement, Some(&state), *at)));
+                let tip = values(run, Quantity::Profile, Some(&state), &places).into_iter().map(|(at, f)| (at, f - depth));
+                let surface = values(run, Quantity::Displacement, Some(&state), &places).into_iter().map(|(at, u)| (at, -u));
                 vec![line(named("tip"), tip.collect()), line(named("surface"), surface.collect())]
             }
         }
@@ -100,15 +100,16 @@ fn over_loads(run: &Run<'_>, datum: Quantity) -> Vec<(f64, f64)> {
 }
 
 fn over_radius(run: &Run<'_>, curve: Quantity, state: Option<&State>) -> Vec<(f64, f64)> {
-    let length = run.scene().system.out(Dimension::LENGTH);
-    radii(run, curve, state).into_iter().map(|at| (at * length, value(run, curve, state, at))).collect()
+    values(run, curve, state, &radii(run, curve, state))
 }
 
-fn value(run: &Run<'_>, curve: Quantity, state: Option<&State>, at: f64) -> f64 {
-    match run.point(curve, state, at).value {
+/// Returns the coordinates in output units with the values there; NaN where there is none.
+fn values(run: &Run<'_>, curve: Quantity, state: Option<&State>, at: &[f64]) -> Vec<(f64, f64)> {
+    let number = |own: Point| match own.value {
         Ok((value, _)) => value,
         Err(why) => infinite_value(curve, why).unwrap_or(f64::NAN),
-    }
+    };
+    run.points(curve, state, at).into_iter().map(|own| (own.at, number(own))).collect()
 }
 
 /// Returns coordinates in computing units: for a pressure inside the contact and close to its edge, otherwise also beyond it.

@@ -218,7 +218,7 @@ impl Serialize for Points<'_, '_> {
             #[serde(skip_serializing_if = "Option::is_none")]
             why: Option<&'static str>,
         }
-        serializer.collect_seq(self.run.points(self.curve, self.state).map(|(at, Point { at: shown, value, bound })| {
+        serializer.collect_seq(self.run.curve(self.curve, self.state).into_iter().map(|(at, Point { at: shown, value, bound })| {
             let model_error = self
                 .run
                 .scene()

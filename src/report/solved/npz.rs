@@ -67,7 +67,7 @@ fn curve_arrays(run: &Run<'_>, curve: Quantity, formally: bool, archive: &mut Ar
     let (mut at, mut values, mut errors, mut proven) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let mut take = |index: usize, state: Option<State>| -> io::Result<()> {
         at.clear();
-        for (_, point) in run.points(curve, state) {
+        for (_, point) in run.curve(curve, state) {
             at.push(point.at);
             let (value, error) = match point.value {
                 Ok(found) => found,

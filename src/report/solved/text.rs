@@ -128,7 +128,7 @@ fn curve_table(run: &Run<'_>, curve: Quantity, formally: bool, digits: Digits, o
         let place = if curve.coordinate() == "z" { "z" } else { "at" };
         writeln!(out, "{:>24}{:>24}{:>16}{more}", with(place, &length), with(curve.key(), &unit), "error")?;
         let second = index.and_then(|index| run.second_state(index));
-        for (at, point) in run.points(curve, state) {
+        for (at, point) in run.curve(curve, state) {
             let change = run.point_model_error(curve, state.as_ref().zip(second.as_ref()), at);
             let more = match change {
                 _ if !measured => String::new(),
@@ -210,7 +210,7 @@ fn points(run: &Run<'_>, curve: Quantity, index: Option<usize>, formally: bool, 
     let state = index.and_then(|index| run.state(index, formally));
     let depth = index.and_then(|index| depth(run, index, state.as_ref(), digits)).unwrap_or_default();
     let unit = run.scene().system.unit_name(curve.dimension());
-    for (_, point) in run.points(curve, state) {
+    for (_, point) in run.curve(curve, state) {
         let shown = point.value.map(|(value, error)| digits.shown(value, error));
         let (value, error) = shown.map_or_else(|_| Default::default(), |(value, error)| (format!("{value:?}"), format!("{error:?}")));
         let bound = point.value.map_or("", |_| point.bound.name());

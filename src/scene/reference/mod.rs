@@ -3,7 +3,7 @@
 mod cells;
 
 use super::load::Steps;
-use super::{Dimension, DimensionedNumber, Loads, Point, Quantity, Run, Scene, SceneError};
+use super::{Dimension, DimensionedNumber, Loads, Quantity, Run, Scene, SceneError};
 use crate::contact::State;
 use crate::num::Bound;
 use crate::scene::file::dimensioned::to_double_double;
@@ -37,6 +37,8 @@ pub enum Grid {
 pub const LARGEST_GRID: usize = 1 << 13;
 /// Maximum number of radii, and of points in a list.
 const MOST_RADII: usize = 10_000_000;
+/// Number of points computed before their values are kept, which limits the scratch memory.
+const PART: usize = 1 << 16;
 
 /// The field under one load: values and errors in output units, or the reason for a missing value.
 pub struct Field {
@@ -205,6 +207,12 @@ impl Grid {
         }
     }
 
+    /// The points x ≥ y ≥ 0 of a square in units of its spacing, in the order of [`triangle`]; none for other grids.
+    fn octant(&self) -> impl Iterator<Item = [f64; 2]> {
+        let rows = self.square().into_iter().flat_map(|own| (0..=own.reach()).map(move |i| (own, i)));
+        rows.flat_map(|(own, i)| (0..=i).map(move |j| [i, j].map(|steps| own.distance(steps))))
+    }
+
     fn square(&self) -> Option<Square> {
         match self {
             Self::Radial(_) | Self::Points { .. } => None,
@@ -259,43 +267,28 @@ impl Run<'_> {
     /// ```
     pub fn field(&self, grid: &Grid, curve: Quantity, state: Option<&State>, cells: bool) -> Field {
         let bound = Cell::new(Bound::Proven);
-        let pressed = state.filter(|own| cells && curve == Quantity::Pressure && own.radius > 0.0);
+        let has_cells = cells && curve == Quantity::Pressure && !matches!(grid, Grid::Points { .. });
+        let pressed = state.filter(|own| has_cells && own.radius > 0.0);
         let means = pressed.map(|state| Means::new(self, state, grid.distinct(), &bound));
-        if means.is_none() {
-            self.expect(grid.distinct());
-        }
-        let seen = |point: Point| {
-            bound.set(bound.get().and(point.bound));
-            point.value
+        let step = grid.cell_width(0);
+        let values = match (&means, grid) {
+            (Some(means), Grid::Radial(radii)) => (0..grid.distinct()).map(|index| means.on_ring(ring(radii, index))).collect(),
+            (Some(means), _) => {
+                // A cell on an axis consists of two equal halves.
+                let sides = |steps: f64| [(steps - 0.5).max(0.0) * step, (steps + 0.5) * step];
+                grid.octant().map(|[x, y]| means.on_rectangle(sides(x), sides(y))).collect()
+            }
+            (None, _) => {
+                self.expect(grid.distinct());
+                let radii: Vec<f64> = match grid {
+                    Grid::Square { .. } => grid.octant().map(|[x, y]| (x * step).hypot(y * step)).collect(),
+                    _ => (0..grid.distinct()).map(|index| grid.radius(index)).collect(),
+                };
+                let points = radii.chunks(PART).flat_map(|part| self.points(curve, state, part));
+                points.inspect(|own| bound.set(bound.get().and(own.bound))).map(|own| own.value).collect()
+            }
         };
-        let mut values = Vec::new();
-        match grid.square() {
-            None => {
-                for index in 0..grid.distinct() {
-                    values.push(match (&means, grid) {
-                        (Some(means), Grid::Radial(radii)) => means.on_ring(ring(radii, index)),
-                        _ => seen(self.point(curve, state, grid.radius(index))),
-                    });
-                }
-                Field { values, square: None, bound: bound.get() }
-            }
-            Some(square) => {
-                let Grid::Square { side, count, .. } = grid else { return Field { values, square: None, bound: bound.get() } };
-                let step = side / *count as f64;
-                for i in 0..=square.reach() {
-                    for j in 0..=i {
-                        let (x, y) = (square.distance(i), square.distance(j));
-                        // A cell on an axis consists of two equal halves.
-                        let half = |own: f64| [(own - 0.5).max(0.0) * step, (own + 0.5) * step];
-                        values.push(match &means {
-                            Some(means) => means.on_rectangle(half(x), half(y)),
-                            None => seen(self.point(curve, state, (x * step).hypot(y * step))),
-                        });
-                    }
-                }
-                Field { values, square: Some(square), bound: bound.get() }
-            }
-        }
+        Field { values, square: grid.square(), bound: bound.get() }
     }
 }
 
