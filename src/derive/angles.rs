@@ -5,7 +5,7 @@
 
 use crate::derive::domain::numeric_sign::numeric_sign;
 use crate::eval::constant_value;
-use crate::expr::{Bindings, Condition, Expr, Node, Sign, Symbol, normal, rewritten};
+use crate::expr::{Bindings, Condition, Expr, Node, Number, Sign, Symbol, normal, rewritten};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
@@ -83,16 +83,27 @@ pub(crate) fn is_proven_below(lower: &Expr, upper: &Expr) -> bool {
     has_angle(&quotient) && quotient.factors().iter().all(below_one)
 }
 
-/// The conditions 0 < u < π/2 for every symbolic slope angle u of the expressions.
+/// The conditions 0 < u < π/2 for every symbolic slope angle u of the expressions, of which the largest multiple implies the others.
 pub(crate) fn conditions<'a>(exprs: impl Iterator<Item = &'a Expr>) -> Vec<Condition> {
     let mut calls = Vec::new();
     exprs.for_each(|expr| collect(expr, &mut calls));
-    let mut conditions = Vec::new();
+    let mut largest: Vec<(Expr, Number)> = Vec::new();
     for angle in calls.iter().filter_map(argument).filter(|angle| !angle.symbols().is_empty()) {
-        conditions.push(Condition::less(Expr::zero(), angle.clone()));
-        conditions.push(Condition::less(angle.clone(), Expr::pi() / Expr::integer(2)));
+        let (number, rest) = angle.split_coefficient();
+        let (number, rest) = if number.is_positive() { (number, rest) } else { (Number::integer(1), angle) };
+        match largest.iter_mut().find(|(known, _)| *known == rest) {
+            Some((_, known)) => *known = number.max(known.clone()),
+            None => largest.push((rest, number)),
+        }
     }
-    conditions
+    let acute = |(angle, number): (Expr, Number)| {
+        // Degrees are multiples of π.
+        let per_unit = if angle.factors().contains(&Expr::pi()) { Expr::pi() } else { Expr::one() };
+        let angle = angle / &per_unit;
+        let end = Expr::pi() / (Expr::integer(2) * Expr::number(number) * per_unit);
+        [Condition::less(Expr::zero(), angle.clone()), Condition::less(angle, end)]
+    };
+    largest.into_iter().flat_map(acute).collect()
 }
 
 /// The upper limit of a parameter that is a slope angle or occurs in a slope angle.

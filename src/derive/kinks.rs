@@ -104,7 +104,10 @@ fn split(
     let Some(piece) = chain.pieces.get(index).cloned() else { return Err(failure(name, "the piece is missing")) };
     let constants = Positive::of(&difference);
     let range = [lower.as_ref().map_or(Some(0.0), number), upper.as_ref().map_or(Some(f64::INFINITY), number)];
-    let found = sign_changes(&constants.replaced(&difference), range, name).or_else(|_| sign_changes(&difference, range, name))?;
+    let found = match inversion::from_one_apex(&difference, &Symbol::new("r")) {
+        Some(found) => Changes::of(found),
+        None => sign_changes(&constants.replaced(&difference), range, name).or_else(|_| sign_changes(&difference, range, name))?,
+    };
     let Changes { roots, starts: mut positive, end, conditions: needed } = found;
     let roots: Vec<Expr> = roots.iter().map(|root| constants.restored(root)).collect();
     conditions.extend(needed.into_iter().map(|own| Condition {
@@ -180,6 +183,14 @@ impl Changes {
     fn all(roots: Vec<Expr>, starts: bool) -> Self {
         Self { roots, starts, end: None, conditions: Vec::new() }
     }
+
+    fn of((crossing, conditions): (Crossing, Vec<Condition>)) -> Self {
+        let own = match crossing {
+            Crossing::At { place, is_rising } => Self::all(vec![place], !is_rising),
+            Crossing::Never { is_positive } => Self::all(Vec::new(), is_positive),
+        };
+        Self { conditions, ..own }
+    }
 }
 
 /// The value of a breakpoint, if it has no parameters.
@@ -220,12 +231,8 @@ fn sign_changes(difference: &Expr, range: [Option<f64>; 2], name: &'static str) 
     if let Some((roots, starts)) = quadratic(&expanded, &radius) {
         return Ok(Changes::all(roots, starts));
     }
-    if let Some((crossing, conditions)) = inversion::crossing(difference, &radius) {
-        let changes = match crossing {
-            Crossing::At { place, is_rising } => Changes::all(vec![place], !is_rising),
-            Crossing::Never { is_positive } => Changes::all(Vec::new(), is_positive),
-        };
-        return Ok(Changes { conditions, ..changes });
+    if let Some(found) = inversion::crossing(difference, &radius) {
+        return Ok(Changes::of(found));
     }
     let others: Vec<Symbol> = expanded.symbols().into_iter().filter(|s| *s != radius).collect();
     if !others.is_empty() {

@@ -197,7 +197,7 @@ impl Chain {
         for ((before, beyond), at) in self.pieces.iter().zip(self.pieces.iter().skip(1)).zip(&self.breakpoints) {
             if kinks.contains(at) {
                 // Divided by what vanishes there, the function of a kink jumps.
-                if domain::seems_to_jump(before, beyond, at) {
+                if domain::seems_to_jump(before, beyond, at, conditions) {
                     return Err(TransformError::Jump { at: print::text_expr(at), jump: print::text_expr(&(beyond - before)) });
                 }
                 continue;

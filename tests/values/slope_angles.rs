@@ -11,6 +11,11 @@ const VALUES: &[(&str, f64, f64, f64)] = &[
     ("min(r^2/(2*R), r*tan(theta))", 0.4, 0.08, 0.04266666666666666666666667),
     ("min(r^2/(2*R), r*tan(theta))", 1.5, 0.7678191409809263498369789, 1.28807397567211702065236),
     ("min(r^2/(2*R), r*tan(theta))", 3.0, 1.463764608261153698485774, 4.443196215436028358474417),
+    ("min(R-sqrt(R^2-r^2), r*tan(theta))", 1.0, 0.5493061443340548456976226, 0.7465307216702742284881131),
+    ("min(R-sqrt(R^2-r^2), r*tan(theta))", 1.5, 0.7574853778264305552898522, 1.241828133850282466658764),
+    ("max(R-sqrt(R^2-r^2), r*tan(theta))", 1.5, 1.430803600912012595113886, 2.932425632368008869157549),
+    ("max(sqrt(R^2+r^2)-R, r*tan(theta))", 2.5, 2.228483522024853160141898, 6.90689027536908569218882),
+    ("min(sqrt(R^2+r^2)-R, r*tan(theta))", 2.5, 1.22641555098177034958631, 3.146135868862097257432497),
     ("min(r*tan(theta), h)", 0.4, 0.194361697852522179086593, 0.07774467914100887163463722),
     ("min(r*tan(theta), h)", 1.5, 0.2067763157831103637667143, 0.03946325462013864937917776),
     ("min(r*tan(theta), h)", 3.0, 0.2015815103635033430681798, 0.0188442409407210134334672),
@@ -88,6 +93,27 @@ fn the_condition_on_the_angle_is_stated_and_the_check_draws_acute_angles() {
     assert!(conditions.iter().any(|condition| condition == "theta < pi/2"), "{conditions:?}");
     let outcome = check(&solution).unwrap();
     assert!(outcome.points >= 64, "{outcome:?}");
+}
+
+/// Class "kinks with sin(2θ)": a sphere and a cone from one apex meet at R sin 2θ while that is an acute angle; a hyperboloid at R tan 2θ.
+#[test]
+fn spheres_and_cones_meet_at_twice_the_angle() {
+    for (text, kink, condition) in [
+        ("min(R-sqrt(R^2-r^2), r*tan(theta))", "R*sin(2*theta)", "theta < pi/4"),
+        ("max(0, R-sqrt(R^2-r^2)-r*tan(theta/2))", "R*sin(theta)", "theta < pi/2"),
+        ("abs(sqrt(R^2+r^2)-R-r*tan(theta))", "R*tan(2*theta)", "theta < pi/4"),
+        ("max(R-sqrt(R^2-r^2), r/tan(pi*alpha/180))", "2*R/(1 + tan(pi/180*alpha)^2)*tan(pi/180*alpha)", "45 < alpha"),
+        ("max(b-b*sqrt(1-r^2/c^2), h*r/w)", "2*b*c^2*h*w/(b^2*w^2 + c^2*h^2)", "c*h < b*w"),
+    ] {
+        let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();
+        let g = print::text(&solution.equivalent_profile().formula);
+        assert!(g.contains(&format!(", x < {kink}, ")), "{text}: {g}");
+        let conditions: Vec<String> = solution.conditions.iter().map(print::text_condition).collect();
+        assert!(conditions.iter().any(|own| own == condition), "{text}: {conditions:?}");
+        assert!(check(&solution).unwrap().points >= 60, "{text}");
+    }
+    let steep = Profile::new(&parse::profile("min(R-sqrt(R^2-r^2), r*tan(1))").unwrap()).unwrap();
+    assert_eq!(print::text(&derive(&steep).unwrap().equivalent_profile().formula), "x*atanh(x/R)");
 }
 
 #[test]

@@ -10,7 +10,7 @@ use sneddon_checks::seeds::cases;
 use std::f64::consts::FRAC_PI_2;
 
 /// A function that is compared with a height, increasing or decreasing, and its conditions; u is a height, R, b, w and c are lengths.
-const ROWS: [(&str, &[&str]); 18] = [
+const ROWS: [(&str, &[&str]); 22] = [
     ("R-sqrt(R^2-r^2)-u", &["u < R"]),
     ("u-R+sqrt(R^2-r^2)", &["u < R"]),
     ("sqrt(R^2-b^2)-sqrt(R^2-r^2)", &["b < R"]),
@@ -29,6 +29,10 @@ const ROWS: [(&str, &[&str]); 18] = [
     ("c*asin(r/w)-u", &["u < pi/2*c"]),
     ("r^2/(2*R)+c*r/w-u", &[]),
     ("c*((1+r^2/w^2)^(2/3)-1)-u", &[]),
+    ("R-sqrt(R^2-r^2)-u*r/w", &["u < w"]),
+    ("sqrt(R^2+r^2)-R-u*r/w", &["u < w"]),
+    ("R-sqrt(R^2-r^2)-r*tan(u)", &["u < pi/4"]),
+    ("R-sqrt(R^2-r^2)-r/tan(u)", &["pi/4 < u"]),
 ];
 
 /// The first root on r > 0 of a function that increases or decreases up to the end of its domain.

@@ -1,9 +1,10 @@
 //! Conditions that hold whatever the parameters are, or because others hold.
 
+use crate::derive::angles::Positive;
 use crate::derive::domain::located::is_approximate;
 use crate::derive::domain::numeric_sign::numeric_sign;
 use crate::eval::constant_value;
-use crate::expr::{Bindings, Condition, Expr, Relation, Sign, sign};
+use crate::expr::{Bindings, Condition, Expr, Relation, Sign, normal, over_one_denominator, sign};
 
 /// True if both are numbers and the first is not certainly below the second.
 pub(crate) fn is_proven_not_below(one: &Expr, other: &Expr) -> bool {
@@ -21,8 +22,19 @@ pub(crate) fn decided_for_all(condition: &Condition) -> Option<bool> {
         (Relation::Less | Relation::LessOrEqual, Sign::Positive) => Some(true),
         (Relation::Less | Relation::LessOrEqual, Sign::Negative) => Some(false),
         (relation, Sign::Zero) => Some(relation != Relation::Less),
+        (Relation::LessOrEqual, Sign::Unknown) if is_square(&room) => Some(true),
         (relation, Sign::Unknown) => numeric_sign(&room).map(|own| relation != Relation::Equal && own > 0.0),
     })
+}
+
+/// True for a square over what is positive, as R − 2bhR/(b² + h²) is; false proves nothing.
+fn is_square(room: &Expr) -> bool {
+    let is_one = |own: &Expr| {
+        let (base, exponent) = own.split_power();
+        sign(own) == Sign::Positive || (exponent.is_one() && normal::square_root(&base).is_some())
+    };
+    let room = Positive::of(room).replaced(room);
+    over_one_denominator(&room).is_some_and(|own| own.factors().iter().all(is_one))
 }
 
 /// Drops u <= v beside u < v, and numbers as limits of r beside smaller ones.

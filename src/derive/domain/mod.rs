@@ -210,10 +210,17 @@ pub(crate) fn vanishes_at_random_points(expr: &Expr) -> Option<bool> {
 }
 
 /// True if the difference of two pieces next to the place where they meet does not become smaller on the way there, and stays finite, at
-/// random admissible parameters.
-pub(crate) fn seems_to_jump(before: &Expr, beyond: &Expr, at: &Expr) -> bool {
+/// random parameters that meet these conditions.
+pub(crate) fn seems_to_jump(before: &Expr, beyond: &Expr, at: &Expr, conditions: &[Condition]) -> bool {
+    const SETS: usize = 3;
+    const DRAWN: usize = 64;
     let whole = before + beyond + at;
-    sample_bindings(&whole, 3).iter().any(|set| {
+    let fails = |own: &Condition, set: &Bindings| match (constant_value(&own.left, set), constant_value(&own.right, set)) {
+        (Ok(left), Ok(right)) => own.relation != crate::expr::Relation::Equal && left.value > right.value,
+        _ => false,
+    };
+    let is_admissible = |set: &Bindings| !conditions.iter().any(|own| fails(own, set));
+    sample_bindings(&whole, DRAWN).iter().filter(|set| is_admissible(set)).take(SETS).any(|set| {
         let Ok(place) = constant_value(at, set) else { return false };
         let sides = |distance: f64| {
             let (low, high) =

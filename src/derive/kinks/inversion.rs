@@ -33,6 +33,80 @@ pub(super) fn crossing(difference: &Expr, radius: &Symbol) -> Option<(Crossing, 
     Some((if exists { Crossing::At { place, is_rising } } else { Crossing::Never { is_positive: is_rising } }, conditions))
 }
 
+/// The sign change of s √(q₀ + q₂ r²) + l r + c, which is 0 at the axis, as the difference of a sphere or a hyperboloid and a cone with
+/// the same apex, and its conditions; `None` for other differences.
+///
+/// With S = |s| √|q₂|, it is at 2|c l|/(S² ∓ l²), with the sign of q₂, under |l| < S.
+pub(super) fn from_one_apex(difference: &Expr, radius: &Symbol) -> Option<(Crossing, Vec<Condition>)> {
+    let (c, parts) = separated(&multiplied_out(difference), radius);
+    let [one, two] = parts.as_slice() else { return None };
+    let (line, root) = if one.0.as_symbol() == Some(radius) { (one, two) } else { (two, one) };
+    let (base, exponent) = root.0.split_power();
+    if line.0.as_symbol() != Some(radius) || exponent != Expr::ratio(1, 2) {
+        return None;
+    }
+    let coefficients = normal::polynomial_coefficients(&base, radius)?;
+    let [q0, q1, q2] = coefficients.as_slice() else { return None };
+    let (s, l) = (&root.1, &line.1);
+    if !q1.is_zero() || !angles::is_proven_zero(&(&c + s * root_of_square(q0)), radius) {
+        return None;
+    }
+    let (is_round, of_c, of_l) = (sign(q2)? == Sign::Negative, sign(&c)?, sign(l)?);
+    let is_positive = of_l == Sign::Positive;
+    if is_round == (of_c == of_l) {
+        return Some((Crossing::Never { is_positive }, Vec::new()));
+    }
+    let size = |own: &Expr, sign: Sign| if sign == Sign::Positive { own.clone() } else { -own };
+    let (height, slope) = (size(&c, of_c), size(l, of_l));
+    let steepest = root_of_square(&(s.power(2) * size(q2, if is_round { Sign::Negative } else { Sign::Positive })));
+    let mut conditions = Vec::new();
+    let ratio = &slope / &steepest;
+    let twice = angle_of_tangent(&ratio).map(|angle| Expr::integer(2) * angle);
+    // A slope angle 2u is acute as well.
+    let place = if let Some(twice) = twice.filter(|own| sign(&Expr::call("cos", [own.clone()])) == Some(Sign::Positive)) {
+        height / steepest * Expr::call(if is_round { "sin" } else { "tan" }, [twice])
+    } else {
+        match angle_of_tangent(&ratio.recip()).and_then(beyond_half_of_right) {
+            Some(condition) => conditions.push(condition),
+            None if is_above(&steepest, &slope, &mut conditions)? => {}
+            None => return Some((Crossing::Never { is_positive }, Vec::new())),
+        }
+        let is_below = |own: &Expr| sign(&own.split_power().1) == Some(Sign::Negative);
+        let (below, above): (Vec<Expr>, Vec<Expr>) = ratio.factors().into_iter().partition(is_below);
+        let (above, below) = (Expr::product(above), Expr::product(below).recip());
+        let divisor = below.power(2) + if is_round { above.power(2) } else { -above.power(2) };
+        Expr::integer(2) * height / steepest * above * below / divisor
+    };
+    Some((Crossing::At { place, is_rising: !is_positive }, conditions))
+}
+
+/// The condition π/4 < u on the parameter of which the angle u is a multiple.
+fn beyond_half_of_right(angle: &Expr) -> Option<Condition> {
+    let [parameter] = angle.symbols().into_iter().collect::<Vec<_>>().try_into().ok()?;
+    let parameter = Expr::symbol(parameter.name());
+    let factor = angle / &parameter;
+    factor.symbols().is_empty().then(|| Condition::less(Expr::pi() / (Expr::integer(4) * factor), parameter))
+}
+
+/// u, of tan u.
+fn angle_of_tangent(expr: &Expr) -> Option<&Expr> {
+    match expr.node() {
+        Node::Function(function, arguments) if function.name() == "tan" => arguments.first(),
+        _ => None,
+    }
+}
+
+/// The terms without r, and the functions of r with the sums of their factors.
+fn separated(difference: &Expr, radius: &Symbol) -> (Expr, Vec<(Expr, Expr)>) {
+    let mut parts: BTreeMap<Expr, Vec<Expr>> = BTreeMap::new();
+    for term in difference.terms() {
+        let (own, free): (Vec<Expr>, Vec<Expr>) = term.factors().into_iter().partition(|factor| factor.contains(radius));
+        parts.entry(Expr::product(own)).or_default().push(Expr::product(free));
+    }
+    let constant = parts.remove(&Expr::one()).map_or_else(Expr::zero, Expr::sum);
+    (constant, parts.into_iter().map(|(own, list)| (own, Expr::sum(list))).collect())
+}
+
 /// Where an increasing or a decreasing function changes its sign.
 enum Solved {
     /// At the radius whose power has this value, if that is positive: r^m = value.
@@ -66,13 +140,7 @@ fn solved(difference: &Expr, radius: &Symbol, conditions: &mut Vec<Condition>) -
 }
 
 fn solved_as_it_is(difference: &Expr, radius: &Symbol, conditions: &mut Vec<Condition>) -> Option<Solved> {
-    let mut parts: BTreeMap<Expr, Vec<Expr>> = BTreeMap::new();
-    for term in difference.terms() {
-        let (own, free): (Vec<Expr>, Vec<Expr>) = term.factors().into_iter().partition(|factor| factor.contains(radius));
-        parts.entry(Expr::product(own)).or_default().push(Expr::product(free));
-    }
-    let constant = parts.remove(&Expr::one()).map_or_else(Expr::zero, Expr::sum);
-    let parts: Vec<(Expr, Expr)> = parts.into_iter().map(|(own, list)| (own, Expr::sum(list))).collect();
+    let (constant, parts) = separated(difference, radius);
     match parts.as_slice() {
         [(function, factor)] => {
             let target = tidy(&(-constant / factor), radius);
