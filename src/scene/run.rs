@@ -135,6 +135,12 @@ impl<'a> Run<'a> {
         Self { watch: Some(Box::new(watch)), ..self }
     }
 
+    /// Rows no longer say where a contact overlaps or is in tension first, for callers that need to know only whether it is valid.
+    #[must_use]
+    pub fn without_details(self) -> Self {
+        Self { indentation: self.indentation.without_details(), ..self }
+    }
+
     /// Returns the number of calls of that function if all rows and curves are computed.
     pub fn steps(&self) -> u64 {
         let per_load = |own: &Quantity| if own.needs_radius() { self.grid(*own).len() as u64 + 1 } else { 0 };
@@ -384,6 +390,9 @@ impl<'a> Run<'a> {
 
     /// Returns a curve at coordinates in computing units; p, u and the stress require the state.
     pub fn points(&self, curve: Quantity, state: Option<&State>, at: &[f64]) -> Vec<Point> {
+        if at.len() > self.many.get() {
+            self.expect(at.len());
+        }
         let found = each_point(at, 1, |block: &[f64]| {
             let found = block.iter().map(|at| self.reading(curve, state, *at)).collect();
             self.told();

@@ -355,6 +355,21 @@ fn points_keep_their_values_where_others_have_none() {
     }
 }
 
+/// Class "ordinary profiles are not refused": loads without a valid contact took so much work that pictures were cut, and so did the strain
+/// energies that no picture of F, a and p shows.
+#[test]
+fn pictures_of_waves_and_of_falling_shapes_are_whole() {
+    for command in [
+        "plot h*sqrt(r/w)*exp(-r/w) --set h=1 --set w=1 --radius 0.6",
+        "plot R*acosh(1+r/R) --set R=1 --radius 0.6",
+        "plot r*exp(-r) --radius 0.9",
+        "plot 1-besselj(0,3*r) --radius 1.2",
+    ] {
+        let picture = answer(command, 1.0, 9999);
+        assert!(picture.code == 0 && !picture.text.contains("incomplete"), "{command}: {}", picture.text);
+    }
+}
+
 /// Class "the check of an ordinary profile is cut short": powers over sums of higher powers, whose hypergeometric functions have a dozen
 /// parameters that no double holds.
 #[test]

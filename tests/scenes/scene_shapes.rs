@@ -332,3 +332,33 @@ proptest! {
         });
     }
 }
+
+/// A picture needs verdicts only: they are those of whole rows, which say where a contact fails and prove what they can.
+#[test]
+fn verdicts_without_details_are_those_of_whole_rows() {
+    let (mut valid, mut invalid) = (0, 0);
+    for profile in [
+        "r*exp(-r)",
+        "h*sin(r)^2",
+        "r^2*(1+0.5*cos(9*r))",
+        "1-besselj(0,3*r)",
+        "abs(r-0.3)",
+        "r^2-r^4/3",
+        "tanh(r)^2",
+        "r^2+0.01*sin(20*r)",
+    ] {
+        let text = format!(
+            "[profile]\nf = '{profile}'\nparameters = {{ h = 1 }}\n[material]\neffective_modulus = 1\n[load]\ncontact_radius = 0.9\n"
+        );
+        let text = if profile.contains('h') && !profile.contains("tanh") { text } else { text.replace("parameters = { h = 1 }\n", "") };
+        let swept = read(&text).swept(24, &[]);
+        let solution = swept.solution().unwrap();
+        let (whole, brief) = (Run::new(&swept, &solution).unwrap(), Run::new(&swept, &solution).unwrap().without_details());
+        for index in 0..swept.loads.len() {
+            let (one, other) = (whole.row(index).unwrap(), brief.row(index).unwrap());
+            assert_eq!(one.is_valid(), other.is_valid(), "{profile}, load {index}");
+            if one.is_valid() { valid += 1 } else { invalid += 1 }
+        }
+    }
+    assert!(valid > 50 && invalid > 50, "{valid} {invalid}");
+}

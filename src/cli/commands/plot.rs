@@ -114,7 +114,8 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if arguments.subjects.iter().all(|own| is_scene(own)) && (arguments.radius.is_some() || arguments.effective_modulus != "1") {
         warn("--radius and --effective-modulus are not used: scenes have their own loads and materials");
     }
-    let subjects = arguments.subjects.iter().map(|own| Subject::read(arguments, own)).collect::<Result<Vec<_>, _>>()?;
+    let data = Pictured::data(quantities);
+    let subjects = arguments.subjects.iter().map(|own| Subject::read(arguments, own, &data)).collect::<Result<Vec<_>, _>>()?;
     if subjects.iter().any(|own| !own.has_same_units(subjects.first())) {
         return Err(Failure::new("the results have different units and cannot share axes")
             .help("give every profile the same units, and request them in [outputs] of each scene"));
@@ -152,22 +153,22 @@ struct Subject {
 }
 
 impl Subject {
-    fn read(arguments: &Arguments, subject: &str) -> Result<Self, Failure> {
-        if is_scene(subject) { Self::of_scene(Path::new(subject)) } else { Self::of_profile(arguments, subject) }
+    fn read(arguments: &Arguments, subject: &str, data: &[Quantity]) -> Result<Self, Failure> {
+        if is_scene(subject) { Self::of_scene(Path::new(subject), data) } else { Self::of_profile(arguments, subject, data) }
     }
 
-    fn of_scene(path: &Path) -> Result<Self, Failure> {
+    fn of_scene(path: &Path, data: &[Quantity]) -> Result<Self, Failure> {
         let text = read(path)?;
         let name = path.display().to_string();
         let failed = |error: SceneError| Failure::scene(&name, &text, &error);
         let scene = scene::scene(&text).map_err(failed)?;
-        let scene = tip::with_points(scene, path, failed)?.swept(LOADS);
+        let scene = tip::with_points(scene, path, failed)?.swept(LOADS, data);
         let solution = scene.solution().map_err(failed)?;
         let name = path.file_stem().map_or(name.clone(), |stem| stem.to_string_lossy().into_owned());
         Ok(Self { name, scene, solution, text: Some(text) })
     }
 
-    fn of_profile(arguments: &Arguments, text: &str) -> Result<Self, Failure> {
+    fn of_profile(arguments: &Arguments, text: &str, data: &[Quantity]) -> Result<Self, Failure> {
         let units = Units::of(&arguments.set, &[arguments.radius.as_deref()], Some(&arguments.effective_modulus));
         let effective_modulus = units.modulus("--effective-modulus", &arguments.effective_modulus)?;
         let radius = arguments.radius.as_deref().map(|own| units.positive_length("--radius", own)).transpose()?;
@@ -188,12 +189,12 @@ impl Subject {
         let largest = radius.unwrap_or_else(|| reach(&evaluator));
         let scene = Scene { control: Control::ContactRadius, loads: Loads::List(vec![largest]), effective_modulus, ..Scene::of(profile) };
         let named = [Dimension::LENGTH, Dimension::FORCE, Dimension::PRESSURE].map(|own| units.name(own));
-        let scene = Scene { system: scene::System::counted(named), ..scene }.swept(LOADS);
+        let scene = Scene { system: scene::System::counted(named), ..scene }.swept(LOADS, data);
         Ok(Self { name: typed.text, scene, solution, text: None })
     }
 
     fn run(&self) -> Result<Run<'_>, Failure> {
-        Run::new(&self.scene, &self.solution).map_err(|error| match &self.text {
+        Run::new(&self.scene, &self.solution).map(Run::without_details).map_err(|error| match &self.text {
             Some(text) => Failure::scene(&self.name, text, &error),
             None => {
                 let own = Failure::new(error.to_string());

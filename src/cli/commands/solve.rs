@@ -8,6 +8,7 @@ use crate::cli::{Failure, Outcome, budget, tip};
 use crate::contact::{Edge, relations, steps};
 use crate::expr::Expr;
 use crate::print::Presentation;
+use crate::report::picture::Pictured;
 use crate::report::solved::html;
 use crate::report::solved::html::Sheet;
 use crate::report::solved::{json as solved_json, npz as solved_npz, text as solved_text};
@@ -127,9 +128,9 @@ const PICTURED: usize = 41;
 /// Returns the HTML page of a solved scene, with the formulas of the profile if it has any.
 fn page(name: &str, text: &str, run: &Run<'_>, formally: bool, out: &mut dyn io::Write) -> io::Result<Verdict> {
     let scene = run.scene();
-    let swept = scene.swept(PICTURED);
+    let swept = scene.swept(PICTURED, &Pictured::data(html::pictured(scene)));
     let solution = swept.solution().map_err(io::Error::other)?;
-    let pictured = Run::new(&swept, &solution).map_err(io::Error::other)?;
+    let pictured = Run::new(&swept, &solution).map_err(io::Error::other)?.without_details();
     let edge = if scene.rim.is_some() { Edge::Rim(Expr::symbol("d")) } else { Edge::Smooth };
     let typed = scene.profile.typed.clone();
     // Measured tips and punches with a non-circular cross-section have no formulas.

@@ -116,6 +116,8 @@ pub struct Indentation<'a> {
     known: Known,
     at_rim: Option<AtRim>,
     naming: Naming,
+    /// Whether findings say where they begin, and a verdict is proven where it can be, which takes a search and more proofs.
+    is_detailed: bool,
     /// The body that is too steep for a half-space, and the first such radius.
     steep: Option<(&'static str, f64)>,
 }
@@ -260,6 +262,7 @@ impl<'a> Indentation<'a> {
             known: Known::default(),
             at_rim,
             naming: Naming::default(),
+            is_detailed: true,
             steep,
         })
     }
@@ -268,6 +271,12 @@ impl<'a> Indentation<'a> {
     #[must_use]
     pub fn naming(self, naming: Naming) -> Self {
         Self { naming, ..self }
+    }
+
+    /// Findings no longer say where a contact overlaps, opens or is in tension first, for callers that need to know only whether it is valid.
+    #[must_use]
+    pub fn without_details(self) -> Self {
+        Self { is_detailed: false, ..self }
     }
 
     /// Solves one load.

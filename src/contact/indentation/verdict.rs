@@ -107,6 +107,10 @@ impl Inspection {
         };
     }
 
+    fn finds_overlap(&mut self, message: String, at: Option<f64>) {
+        self.findings.push(Finding { rule: "outside_gap", severity: Severity::Error, message, at });
+    }
+
     fn finds_tension(&mut self, at: f64, naming: &Naming) {
         let message = format!("the pressure is negative at r = {}: the contact would open there", naming.length(at));
         self.findings.push(Finding { rule: "tension_inside", severity: Severity::Error, message, at: Some(at) });
@@ -137,6 +141,13 @@ impl Indentation<'_> {
             _ if self.landscape.risen >= self.landscape.reach => {}
             _ if self.landscape.rising => verdict.looked_at(self.landscape.looked),
             Boundary::Rim => self.tension_of_complete_contact(&state, &mut verdict),
+            // One finding suffices for the verdict, and overlaps are found sooner.
+            Boundary::Smooth if !self.is_detailed => {
+                self.overlap_outside(&state, &mut verdict);
+                if verdict.findings.is_empty() {
+                    self.tension_inside(&state, &mut verdict);
+                }
+            }
             Boundary::Smooth => {
                 self.tension_inside(&state, &mut verdict);
                 self.overlap_outside(&state, &mut verdict);
@@ -240,6 +251,7 @@ impl Indentation<'_> {
         match sign {
             Sign::Proven => {}
             Sign::Negative(at) => verdict.finds_tension(at, &self.naming),
+            Sign::NegativeAt(at) if !self.is_detailed => verdict.finds_tension(rounded(at, 8), &self.naming),
             Sign::NegativeAt(at) => {
                 let count = affordable(LOOKS, || pressure(TYPICAL * a));
                 let first = first_negative(&pressure, &looks_between(0.0, at, count), 1e-3 * mean);
@@ -279,6 +291,13 @@ impl Indentation<'_> {
             verdict.counts(radii);
             return;
         }
+        if ordered
+            && !self.is_detailed
+            && let Some(from) = known.invalid_from.get().filter(|from| *from <= a)
+        {
+            verdict.finds_overlap(format!("every contact from a = {} on overlaps outside", self.naming.length(from)), None);
+            return;
+        }
         if ordered && known.invalid_from.get().is_none_or(|from| a < from) {
             // Check a larger contact first, whose result applies to later loads.
             let end = known.invalid_from.get().unwrap_or(self.landscape.first_fall).min(self.landscape.reach);
@@ -291,11 +310,12 @@ impl Indentation<'_> {
                 }
                 match found {
                     // There may be a proof for this load even without a proof for the larger contact.
-                    (None, None) => {
-                        known.vouch(ahead, None);
+                    (None, radii) if radii.is_none() || !self.is_detailed => {
+                        known.vouch(ahead, radii);
+                        verdict.counts(radii);
                         return;
                     }
-                    (None, Some(_)) => {}
+                    (None, _) => {}
                     (Some(_), _) => known.invalid_from.set(Some(ahead)),
                 }
             }
@@ -309,9 +329,9 @@ impl Indentation<'_> {
         }
         verdict.counts(radii);
         let Some(at) = overlap else { return };
-        let message =
-            format!("the deformed surface reaches the indenter again at r = {}: the contact is not a disc", self.naming.length(at));
-        verdict.findings.push(Finding { rule: "outside_gap", severity: Severity::Error, message, at: Some(at) });
+        let place = self.naming.length(at);
+        verdict
+            .finds_overlap(format!("the deformed surface reaches the indenter again at r = {place}: the contact is not a disc"), Some(at));
     }
 
     /// The first radius beyond a at which the bodies overlap, and the number of radii checked without a proof.
@@ -341,6 +361,7 @@ impl Indentation<'_> {
         let looks = match self.landscape.cells.as_ref().map(|cells| self.gap_sign(cells, a, depth, NOISE * depth.abs())) {
             Some(Sign::Proven) => return (None, None),
             Some(Sign::Negative(at)) => return (Some(at), None),
+            Some(Sign::NegativeAt(at)) if !self.is_detailed => return (Some(rounded(at, 8)), None),
             Some(Sign::NegativeAt(at)) => {
                 let count = affordable(LOOKS, || gap(at));
                 let first = first_negative(&gap, &looks_between(a, at, count), f64::INFINITY);

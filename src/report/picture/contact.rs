@@ -2,7 +2,7 @@
 
 use super::{Line, Panel, Picture};
 use crate::contact::{Kind, Quantity, State};
-use crate::scene::{Dimension, Point, Run, infinite_value};
+use crate::scene::{Dimension, Point, Row, Run, infinite_value};
 use std::f64::consts::FRAC_PI_2;
 
 /// The items that can be plotted.
@@ -22,11 +22,16 @@ const NEAR_A_KINK: [f64; 5] = [1e-5, 1e-4, 1e-3, 4e-3, 1.2e-2];
 const BEYOND: f64 = 1.8;
 
 impl Picture {
-    /// Creates one panel per quantity with one line per contact; the loads of every run increase to its largest load, as in `Scene::swept`.
+    /// Creates one panel per quantity with one line per contact; the loads of every run increase to its largest load, as in `Scene::swept`,
+    /// and have the quantities of [`Pictured::data`].
     pub fn of_contacts(contacts: &[(&str, &Run<'_>)], quantities: &[Pictured]) -> Self {
         let Some((_, first)) = contacts.first() else { return Self::default() };
+        let has_rows = quantities.iter().any(|own| matches!(own, Pictured::Quantity(own) if own.kind() == Kind::Number));
+        let rows = |run: &Run<'_>| (0..if has_rows { run.scene().loads.len() } else { 0 }).filter_map(|index| run.row(index)).collect();
+        let rows: Vec<Vec<Row>> = contacts.iter().map(|(_, run)| rows(run)).collect();
         let panels = quantities.iter().map(|quantity| {
-            let lines: Vec<Line> = contacts.iter().flat_map(|(name, run)| quantity.lines(name, run)).collect();
+            let solved = contacts.iter().zip(&rows);
+            let lines: Vec<Line> = solved.flat_map(|((name, run), rows)| quantity.lines(name, run, rows)).collect();
             let unit = |dimension| first.scene().system.unit_name(dimension);
             let titled = |name: &str, dimension| {
                 let unit = unit(dimension);
@@ -43,6 +48,14 @@ impl Picture {
 }
 
 impl Pictured {
+    /// Returns the quantities per load that pictures of these need.
+    pub fn data(all: &[Self]) -> Vec<Quantity> {
+        let numbers = all.iter().filter_map(|own| if let Self::Quantity(own) = own { Some(*own) } else { None });
+        let coordinates = [Quantity::Depth, Quantity::Radius];
+        let needed = |own: &Quantity| own.kind() == Kind::Number && !coordinates.contains(own);
+        coordinates.into_iter().chain(numbers.filter(needed)).collect()
+    }
+
     /// Returns the title, the name of the coordinate, and the name and dimension of the values.
     fn labels(self) -> (String, &'static str, (String, Dimension)) {
         let Self::Quantity(own) = self else {
@@ -66,13 +79,13 @@ impl Pictured {
         (title, horizontal, (vertical, own.dimension()))
     }
 
-    fn lines(self, name: &str, run: &Run<'_>) -> Vec<Line> {
+    fn lines(self, name: &str, run: &Run<'_>, rows: &[Row]) -> Vec<Line> {
         let line = |name: String, points| Line { name, points };
         let last = run.scene().loads.len().saturating_sub(1);
         let state = run.state(last, false);
         let length = run.scene().system.out(Dimension::LENGTH);
         match self {
-            Self::Quantity(own) if own.kind() == Kind::Number => vec![line(name.to_owned(), over_loads(run, own))],
+            Self::Quantity(own) if own.kind() == Kind::Number => vec![line(name.to_owned(), over_loads(rows, own))],
             Self::Quantity(own) => vec![line(name.to_owned(), over_radius(run, own, state.as_ref()))],
             Self::Section => {
                 let Some(state) = state else { return Vec::new() };
@@ -88,15 +101,14 @@ impl Pictured {
 }
 
 /// Returns a quantity over the depth, or the depth over the contact radius, for the valid loads.
-fn over_loads(run: &Run<'_>, datum: Quantity) -> Vec<(f64, f64)> {
+fn over_loads(rows: &[Row], datum: Quantity) -> Vec<(f64, f64)> {
     let abscissa = if datum == Quantity::Depth { Quantity::Radius } else { Quantity::Depth };
-    let rows = (0..run.scene().loads.len()).filter_map(|index| run.row(index));
-    let point = |row: crate::scene::Row| {
+    let point = |row: &Row| {
         let valid = row.is_valid();
         let number = |own| row.value(own).filter(|_| valid).unwrap_or(f64::NAN);
         (number(abscissa), number(datum))
     };
-    rows.map(point).collect()
+    rows.iter().map(point).collect()
 }
 
 fn over_radius(run: &Run<'_>, curve: Quantity, state: Option<&State>) -> Vec<(f64, f64)> {

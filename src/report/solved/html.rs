@@ -10,7 +10,7 @@ use crate::report::sheet::SHEET;
 use crate::report::solved::bounds::Largest;
 use crate::report::solved::text::{cells, columns, edge_of};
 use crate::report::solved::{Verdict, assumptions};
-use crate::scene::{Dimension, Quantity, Run};
+use crate::scene::{Dimension, Quantity, Run, Scene};
 use std::io::{self, Write};
 
 /// The content of the page.
@@ -110,19 +110,16 @@ fn judged(verdict: &Verdict, run: &Run<'_>, out: &mut dyn Write) -> io::Result<(
     Ok(())
 }
 
-/// Writes plots of the tip in the surface, the pressure, F(d) and a(d).
+/// What the page of a scene shows: the tip in the surface, the pressure, F(d) and a(d), of which a punch with a cross-section has F(d).
+pub fn pictured(scene: &Scene) -> &'static [Pictured] {
+    if !scene.round {
+        return &[Pictured::Quantity(Quantity::Force)];
+    }
+    &[Pictured::Section, Pictured::Quantity(Quantity::Pressure), Pictured::Quantity(Quantity::Force), Pictured::Quantity(Quantity::Radius)]
+}
+
 fn pictures(swept: &Run<'_>, out: &mut dyn Write) -> io::Result<()> {
-    let quantities: &[Pictured] = if swept.scene().round {
-        &[
-            Pictured::Section,
-            Pictured::Quantity(Quantity::Pressure),
-            Pictured::Quantity(Quantity::Force),
-            Pictured::Quantity(Quantity::Radius),
-        ]
-    } else {
-        &[Pictured::Quantity(Quantity::Force)]
-    };
-    let picture = Picture::of_contacts(&[("", swept)], quantities);
+    let picture = Picture::of_contacts(&[("", swept)], pictured(swept.scene()));
     writeln!(out, "<h2>Pictures</h2>")?;
     if picture.is_empty() {
         return writeln!(out, "<p>No load has a valid contact, and there is nothing to draw.</p>");
