@@ -36,6 +36,8 @@ const INCOMPLETE: i32 = 1;
 
 /// Processor time that the clock allows, in milliseconds.
 static LIMIT: AtomicU64 = AtomicU64::new(0);
+/// Set by a budget on the command line, which does not grow with the input.
+static IS_GIVEN: AtomicBool = AtomicBool::new(false);
 /// Set by the clock once that time is spent.
 static PASSED: AtomicBool = AtomicBool::new(false);
 
@@ -45,7 +47,9 @@ impl BudgetArguments {
     /// # Errors
     /// Returns the error of the command, and an error if the budget is not a valid number of seconds or is exhausted.
     pub(super) fn run(&self, command: impl FnOnce() -> Result<Outcome, Failure>) -> Result<Outcome, Failure> {
-        let seconds = self.budget.as_deref().map(seconds).transpose()?.unwrap_or(USUAL);
+        let given = self.budget.as_deref().map(seconds).transpose()?;
+        IS_GIVEN.store(given.is_some(), Ordering::Relaxed);
+        let seconds = given.unwrap_or(USUAL);
         watch(seconds);
         work::with_deadline(&PASSED, || work::within(Budget::seconds(seconds), command))
     }
@@ -64,8 +68,11 @@ pub(super) fn seconds(text: &str) -> Result<f64, Failure> {
     Err(Failure::new(format!("--budget {} is too long", text.trim())).help(help).at("--budget", text, 0..text.len()))
 }
 
-/// Raises the step limit for an input with many parts, such as points, rows of a scene, cells of a grid or bytes of a file.
+/// Raises the default step limit for an input with many parts, such as points, rows of a scene, cells of a grid or bytes of a file.
 pub(super) fn allow(parts: u64, steps_per_part: u64) {
+    if IS_GIVEN.load(Ordering::Relaxed) {
+        return;
+    }
     let steps = parts.saturating_mul(steps_per_part);
     work::allow(steps);
     let more = steps as f64 / Budget::seconds(1.0).count() as f64;

@@ -35,13 +35,15 @@ impl<'a, P: Quantities + ?Sized> Contact<'a, P> {
         if count < MANY || a.is_nan() || a <= 0.0 || !self.evaluator().has_pressure_curve() {
             return false;
         }
+        // Beyond that cost, any list that is long enough is expensive.
+        let most = EXPENSIVE / MANY as u64;
         let cost = |part: f64| {
-            let (_, spent, _) = work::apart(EXPENSIVE, || self.evaluator().pressure(part * a, a).is_ok());
+            let (_, spent, _) = work::apart(most, || self.evaluator().pressure(part * a, a).is_ok());
             work::spend(spent);
             spent
         };
         // What the first call prepares for all others is not part of the cost of one.
-        TYPICAL.into_iter().map(cost).min().unwrap_or(0).saturating_mul(count as u64) > EXPENSIVE
+        TYPICAL.into_iter().map(cost).min().unwrap_or(0).saturating_mul(count as u64) >= EXPENSIVE
     }
 
     /// Returns a contact whose pressures under the radius of an expansion, see [`Quantities::pressure_curve`], come from it.

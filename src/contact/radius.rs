@@ -100,7 +100,7 @@ pub(in crate::contact) fn overflow(is_negative: bool) -> f64 {
 }
 
 /// The reason why a search found no radius.
-pub(super) enum Absence {
+pub(in crate::contact) enum Absence {
     /// No radius exists.
     Proven(&'static str),
     /// A radius may exist.
@@ -109,11 +109,11 @@ pub(super) enum Absence {
 
 /// The smallest radius at which a function reaches a value, with its error; or the reason why none was found.
 ///
-/// `stays_below` returns the reason if it proves that no radius exists. It is called at most once: when a value has no digits, when the
+/// `stays_below` returns the reason if it proves that no radius exists, at least up to the end. It is called at most once: when a value has no digits, when the
 /// search has become expensive, or at the end of the search.
 pub(super) fn root(
     height: &mut dyn FnMut(f64) -> Result<Estimate, TransformError>,
-    stays_below: &dyn Fn() -> Option<&'static str>,
+    stays_below: &dyn Fn() -> Option<Absence>,
     radii: &Radii,
     target: f64,
     start: f64,
@@ -182,7 +182,7 @@ pub(super) fn certain(
 /// Samples g outward from the flat part of the tip.
 struct Look<'a> {
     height: &'a mut dyn FnMut(f64) -> Result<f64, TransformError>,
-    stays_below: &'a dyn Fn() -> Option<&'static str>,
+    stays_below: &'a dyn Fn() -> Option<Absence>,
     start: f64,
     limit: f64,
     /// The radii to sample, in increasing order.
@@ -238,9 +238,9 @@ impl Look<'_> {
             }
             if !asked && (seen.lost > 0 || begin.saturating_sub(work::left()) > EXPENSIVE) {
                 asked = true;
-                if let Some(reason) = (self.stays_below)() {
+                if let Some(absence) = (self.stays_below)() {
                     *radii.0.lock().unwrap_or_else(PoisonError::into_inner) = seen;
-                    return Ok(Err(Absence::Proven(reason)));
+                    return Ok(Err(absence));
                 }
             }
             // A local maximum may be inserted before the last two samples.
@@ -262,8 +262,7 @@ impl Look<'_> {
         let Some((place, upper)) = found else {
             *radii.0.lock().unwrap_or_else(PoisonError::into_inner) = seen;
             let proof = if asked { None } else { (self.stays_below)() };
-            let absence = proof.map_or(Absence::Unproven("it is not reached at any radius that was tried"), Absence::Proven);
-            return Ok(Err(absence));
+            return Ok(Err(proof.unwrap_or(Absence::Unproven("it is not reached at any radius that was tried"))));
         };
         let before = place.checked_sub(1).and_then(|before| seen.places.get(before)).map(|own| own.0);
         *radii.0.lock().unwrap_or_else(PoisonError::into_inner) = seen;

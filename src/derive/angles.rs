@@ -3,6 +3,7 @@
 //! The flank of a cone has an acute slope angle, so that its sine, cosine and tangent are positive.
 //! Results proven under that assumption carry the condition that the angle is acute.
 
+use crate::derive::domain::acute_sign::same_sign;
 use crate::derive::domain::numeric_sign::numeric_sign;
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Condition, Expr, Node, Number, Sign, Symbol, normal, rewritten};
@@ -277,7 +278,20 @@ fn common(one: &BigRational, other: &BigRational) -> BigRational {
 /// The sign of a number, or of an expression with acute slope angles.
 pub(crate) fn known_sign(expr: &Expr) -> Sign {
     match sign(expr) {
-        Sign::Unknown => numeric_sign(expr).map_or(Sign::Unknown, |s| if s > 0.0 { Sign::Positive } else { Sign::Negative }),
+        Sign::Unknown => match numeric_sign(expr).or_else(|| acute_sign(expr)) {
+            Some(own) if own > 0.0 => Sign::Positive,
+            Some(_) => Sign::Negative,
+            None => Sign::Unknown,
+        },
         known => known,
     }
+}
+
+/// 1 or −1 if an expression in one slope angle has this sign for every acute angle.
+pub(crate) fn acute_sign(expr: &Expr) -> Option<f64> {
+    if !has_angle(expr) {
+        return None;
+    }
+    let [angle] = expr.symbols().into_iter().collect::<Vec<_>>().try_into().ok()?;
+    same_sign(expr, &angle, largest(expr, &angle)?)
 }

@@ -5,6 +5,7 @@ mod inversion;
 use crate::derive::angles;
 use crate::derive::angles::Positive;
 use crate::derive::chain::Chain;
+use crate::derive::domain::decided::decided_for_all;
 use crate::derive::domain::demands;
 use crate::derive::domain::located::approximate;
 use crate::derive::domain::numeric_sign::numeric_sign;
@@ -106,15 +107,20 @@ fn split(
     let range = [lower.as_ref().map_or(Some(0.0), number), upper.as_ref().map_or(Some(f64::INFINITY), number)];
     let found = match inversion::from_one_apex(&difference, &Symbol::new("r")) {
         Some(found) => Changes::of(found),
-        None => sign_changes(&constants.replaced(&difference), range, name).or_else(|_| sign_changes(&difference, range, name))?,
+        None => {
+            let general = sign_changes(&constants.replaced(&difference), range, name).ok();
+            // Numbers may break a condition that was stated for positive constants.
+            let is_met = |own: &Condition| decided_for_all(&restored(&constants, own)) != Some(false);
+            match general.filter(|own| own.conditions.iter().all(is_met)) {
+                Some(general) => general,
+                None => sign_changes(&difference, range, name)?,
+            }
+        }
     };
     let Changes { roots, starts: mut positive, end, conditions: needed } = found;
     let roots: Vec<Expr> = roots.iter().map(|root| constants.restored(root)).collect();
-    conditions.extend(needed.into_iter().map(|own| Condition {
-        left: constants.restored(&own.left),
-        right: constants.restored(&own.right),
-        ..own
-    }));
+    conditions.extend(needed.iter().map(|own| restored(&constants, own)));
+    conditions.extend(angles::conditions(std::iter::once(&difference)));
     conditions.extend(end.map(|end| Condition::less(Expr::symbol("r"), end)));
     // Keep the roots inside the piece; those before it flip the sign that holds at its lower end.
     let mut inside = Vec::new();
@@ -148,6 +154,11 @@ fn split(
     unused.splice(index..=index, lists);
     chain.breakpoints.splice(index..index, inside.iter().cloned());
     Ok(inside)
+}
+
+/// The condition with the angles that positive constants stand for.
+fn restored(constants: &Positive, condition: &Condition) -> Condition {
+    Condition { left: constants.restored(&condition.left), right: constants.restored(&condition.right), ..condition.clone() }
 }
 
 /// The order of two breakpoints: proven, numeric, or an error.
@@ -227,6 +238,11 @@ fn sign_changes(difference: &Expr, range: [Option<f64>; 2], name: &'static str) 
             }
             _ => {}
         }
+    }
+    if let [only] = terms.as_slice()
+        && only.kernel.is_one()
+    {
+        return Ok(Changes::all(Vec::new(), known_sign(&only.coefficient, name)? == Sign::Positive));
     }
     if let Some((roots, starts)) = quadratic(&expanded, &radius) {
         return Ok(Changes::all(roots, starts));

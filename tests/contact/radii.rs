@@ -155,6 +155,16 @@ fn that_no_radius_reaches_a_depth_is_proven() {
     }
 }
 
+/// Class "none without a proof": where g grows without limit toward the end, radii that lie between the last floats are not denied. The
+/// radii exist: at π/2 − ε, g tends to (π/2) √(π/ε) for −ln(cos r) and grows faster for tan(r); it is x artanh x for the sphere, and xK(x).
+#[test]
+fn radii_between_the_last_floats_are_not_denied() {
+    for (text, depth) in [("-ln(cos(r))", 1e12), ("tan(r)", 1e30), ("1-sqrt(1-r^2)", 40.0), ("asin(r)", 60.0)] {
+        let found = radius(text, 1.0, depth);
+        assert!(matches!(found, Err(ContactError::NotFound { .. })), "{text}: {found:?}");
+    }
+}
+
 /// Class "waves and ends at nanometres". Oscillating profiles, and depths near the end of a profile, at nanometre scale.
 #[test]
 fn waves_and_ends_are_followed() {

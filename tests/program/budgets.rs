@@ -292,6 +292,18 @@ fn a_validation_that_was_cut_short_says_so() {
     }
 }
 
+/// Class "a budget that is not kept": the default grows with the input, and a budget on the command line does not.
+#[test]
+fn a_given_budget_does_not_grow_with_the_input() {
+    let list = "eval sqrt(1+r^2)-1 --quantity g --at 0.1:9:20000 --json";
+    assert_eq!(answer(list, 30.0, 9201).code, 0);
+    let cut = answer(list, 1e-3, 9201);
+    let document: Value = serde_json::from_str(&cut.text).unwrap();
+    assert!(cut.code == 1 && document["complete"] == false, "{}", cut.text);
+    let done = Command::new(env!("CARGO_BIN_EXE_sneddon")).args(list.split(' ')).output().unwrap();
+    assert_eq!(done.status.code(), Some(0));
+}
+
 /// Class "a measurement that was cut exits with 0".
 #[test]
 fn a_tradeoff_that_was_cut_short_says_so() {
@@ -365,7 +377,7 @@ fn pictures_of_waves_and_of_falling_shapes_are_whole() {
         "plot r*exp(-r) --radius 0.9",
         "plot 1-besselj(0,3*r) --radius 1.2",
     ] {
-        let picture = answer(command, 1.0, 9999);
+        let picture = answer(command, 2.0, 9999);
         assert!(picture.code == 0 && !picture.text.contains("incomplete"), "{command}: {}", picture.text);
     }
 }

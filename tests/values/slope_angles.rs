@@ -116,6 +116,45 @@ fn spheres_and_cones_meet_at_twice_the_angle() {
     assert_eq!(print::text(&derive(&steep).unwrap().equivalent_profile().formula), "x*atanh(x/R)");
 }
 
+/// Class "kinks with angles": signs that hold for every acute angle decide, no impossible condition is stated, and rounding is no jump.
+#[test]
+fn signs_of_slope_angles_decide_about_kinks() {
+    let conditions = |text: &str| {
+        let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap_or_else(|error| panic!("{text}: {error}"))).unwrap();
+        assert!(check(&solution).unwrap().points >= 60, "{text}");
+        (print::text(&solution.equivalent_profile().formula), solution.conditions.iter().map(print::text_condition).collect::<Vec<_>>())
+    };
+    for (text, g, limit) in [
+        ("min(r*sin(2*theta), r*tan(theta))", "pi/2*x*tan(theta)", "theta < pi/4"),
+        ("max(r*sin(theta), r)", "pi/2*x", "theta < pi/2"),
+        ("max(sqrt(h^2+r^2*tan(theta)^2)-h, r*tan(2*theta))", "pi/2*x*tan(2*theta)", "theta < pi/4"),
+    ] {
+        let (formula, stated) = conditions(text);
+        assert!(formula == g && stated.iter().any(|own| own == limit) && !stated.concat().contains("abs"), "{text}: {formula} {stated:?}");
+    }
+    for (text, kink) in [
+        ("max(0, r*sin(2*theta)-r*tan(theta)-h)", "h/(sin(2*theta) - tan(theta))"),
+        ("max(r*tan(theta), r*sin(theta)+h)", "-h/(sin(theta) - tan(theta))"),
+        ("min(h, r*(1-sin(theta)^2))", "h/(1 - sin(theta)^2)"),
+    ] {
+        let (formula, _) = conditions(text);
+        assert!(formula.contains(&format!(", x < {kink}, ")), "{text}: {formula}");
+    }
+    // The sign changes at pi/4.
+    assert!(Profile::new(&parse::profile("max(r/tan(theta), r*tan(theta))").unwrap()).is_err());
+    // g at x, by mpmath; the second angle is beyond pi/4, where the cosine is negative and there is no kink.
+    for (text, x, g) in [
+        ("abs(3/10*(1-cos(7*pi/180))-r*tan(7*pi/180))", 0.7, 0.130_535_862_362_664_4),
+        ("min(13/10*(1-cos(50*pi/180)), r^2*cos(100*pi/180))", 0.5, -0.086_824_088_833_465_18),
+        ("r^2+max(0,r^2*cos(160*pi/180)-3/10*(1-cos(80*pi/180)))", 0.5, 0.5),
+    ] {
+        let profile = Profile::new(&parse::profile(text).unwrap()).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let solution = derive(&profile).unwrap();
+        let found = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap().equivalent(x).unwrap().estimate;
+        assert!((found.value - g).abs() <= found.error + 4e-16 * g.abs(), "{text}: {}", found.value);
+    }
+}
+
 #[test]
 fn numeric_angles_give_exact_pieces() {
     for text in

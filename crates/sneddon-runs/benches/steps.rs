@@ -1,4 +1,4 @@
-//! Seconds per step for twenty-five kinds of work, or for those whose names contain the argument.
+//! Seconds per step for twenty-six kinds of work, or for those whose names contain the argument.
 
 use rustix::time::{ClockId, clock_gettime};
 use sneddon::contact::{Contact, Indentation, Load, Setup, relations};
@@ -78,6 +78,10 @@ fn kinds() -> Vec<Kind> {
         ("pressure, slopes", number("r*tanh(r)", Method::Quadrature, pressure)),
         ("pressure, pieces", number("asinh(r^4)+cos(r)*r", Method::Quadrature, pressure)),
         ("pressure, kink", number("max(0,r-0.3)^2*exp(r)", Method::Quadrature, pressure)),
+        ("pressure, sixty kinks", {
+            let kinks: String = (1..60).map(|i| format!("+abs(r-{i}/61)")).collect();
+            number(&format!("r{kinks}"), Method::Quadrature, pressure)
+        }),
         ("contact radius", {
             Box::new(move |share| {
                 let evaluator = Evaluator::new(depth, &Bindings::default(), Method::Auto, 1e-13).unwrap_or_else(|error| panic!("{error}"));

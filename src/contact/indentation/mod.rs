@@ -16,6 +16,7 @@ pub use errors::Estimates;
 pub use naming::{Naming, in_unit};
 pub use verdict::{Finding, Severity};
 
+use super::radius::Absence;
 use super::radius::unreachable::stays_below;
 use super::{Contact, ContactError, Explicit, explicit};
 use crate::expr::{Bindings, Symbol};
@@ -365,8 +366,9 @@ impl<'a> Indentation<'a> {
         if nothing {
             let named = self.naming.length(depth);
             return Ok(unreachable(match stays_below(self.contact.evaluator(), depth) {
-                Some(reason) => format!("no contact radius belongs to d = {named}: {reason}"),
-                None => format!("no contact radius was found for d = {named}: g does not reach this depth as far as {}", self.how_far()),
+                Some(Absence::Proven(reason)) => format!("no contact radius belongs to d = {named}: {reason}"),
+                Some(Absence::Unproven(reason)) => format!("no contact radius was found for d = {named}: {reason}"),
+                None => format!("no contact radius was found for d = {named}: g does not reach this depth {}", self.how_far()),
             }));
         }
         Ok(self.chosen(&candidates))
@@ -395,7 +397,7 @@ impl<'a> Indentation<'a> {
         candidates.splice(0..0, found);
         if nothing {
             return Ok(unreachable(format!(
-                "no contact radius was found for F = {}: it is not reached as far as {}",
+                "no contact radius was found for F = {}: it is not reached {}",
                 self.naming.force(force),
                 self.how_far()
             )));
@@ -406,8 +408,8 @@ impl<'a> Indentation<'a> {
     /// Where the search for a contact radius ends.
     fn how_far(&self) -> String {
         match self.landscape.followed {
-            Some(radius) => format!("the waves of f can be followed, r = {}", self.naming.length(radius)),
-            None => "the profile goes".to_owned(),
+            Some(radius) => format!("as far as the waves of f can be followed, r = {}", self.naming.length(radius)),
+            None => "at any radius that was tried".to_owned(),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Proofs that g stays below a depth at every radius, from enclosures of f′.
 
-use super::FARTHEST;
+use super::{Absence, FARTHEST};
 use crate::contact::indentation::cells::halved;
 use crate::num::{Bound, stable::leg, work};
 use crate::transform::Quantities;
@@ -24,6 +24,10 @@ const LEAST: f64 = 1e-290;
 const AT_AXIS: f64 = 1e-4;
 /// Relative distance from the end of a bounded profile at which a proof ends.
 const LAST: f64 = 8.0 * f64::EPSILON;
+/// Relative distances from the end between which f′ may grow …
+const NEAR_END: [f64; 2] = [1e-6, 1e-9];
+/// … by this factor at most.
+const GROWTH: f64 = 4.0;
 /// Ratio of x to the smallest radius from which on the bounds on f′ are summed by parts.
 const NEAR: f64 = 8.0;
 /// Slopes below minus this one count as this one.
@@ -31,17 +35,33 @@ const LARGEST: f64 = 1e100;
 /// Bound on the rounding error of a sum, relative to the sum of the magnitudes.
 const ROUNDING: f64 = 1e-12;
 
-/// Returns the reason why no contact radius belongs to `depth` if enclosures prove that g(x) < `depth`, from the axis to 8 ulp before
-/// the end of a bounded profile, or to 1e150.
+/// Returns the reason why no contact radius belongs to `depth` if enclosures prove that g(x) < `depth`, from the axis to the end of a
+/// bounded profile, or to 1e150. Where f′ has no bound at the end, g may grow without limit there, and the proof, which ends 8 ulp before
+/// it, does not exclude a radius.
 ///
 /// Where f′ lies between L and H from r = l to u, ∫ f′/√(1 − r²/x²) dr over that range lies between L and H times
 /// x (arcsin(u/x) − arcsin(l/x)), and, if f′ does not change its sign, between f(u) − f(l) times the factors 1/√(1 − r²/x²) at both ends.
 /// Ranges whose bounds do not suffice are halved.
-pub(in crate::contact) fn stays_below<P: Quantities + ?Sized>(shape: &P, depth: f64) -> Option<&'static str> {
-    let prove = || Cells::new(shape, depth).is_some_and(|mut cells| cells.prove(shape, depth));
-    let ends = shape.limit().is_finite();
-    let reason = if ends { "g stays below it up to the end of the profile" } else { "g stays below it up to x = 1e150" };
-    work::share(PROVING, prove).is_some_and(|proven| proven).then_some(reason)
+pub(in crate::contact) fn stays_below<P: Quantities + ?Sized>(shape: &P, depth: f64) -> Option<Absence> {
+    let limit = shape.limit();
+    // Within a few ulps of the end, rounding may take a radius out of the domain of f′.
+    let last = limit * (1.0 - LAST);
+    let prove = || Cells::new(shape, depth, last.min(FARTHEST)).is_some_and(|mut cells| cells.prove(shape, depth));
+    work::share(PROVING, prove).filter(|proven| *proven)?;
+    Some(if limit.is_infinite() {
+        Absence::Proven("g stays below it up to x = 1e150")
+    } else if is_flat_at(shape, limit, last) {
+        Absence::Proven("g stays below it up to the end of the profile")
+    } else {
+        Absence::Unproven("g stays below it up to 8 ulps before the end of the profile, next to which f' has no bound")
+    })
+}
+
+/// Whether f′ no longer grows toward the end: g, which is infinite where f′ grows like 1/√δ, then changes by rounding in the last ulps.
+fn is_flat_at<P: Quantities + ?Sized>(shape: &P, limit: f64, last: f64) -> bool {
+    let [far, near] = NEAR_END.map(|distance| limit * (1.0 - distance));
+    let largest = |lower, upper| shape.f_prime_over(lower, upper).map_or(f64::INFINITY, |(low, high)| low.abs().max(high.abs()));
+    largest(near, last) <= GROWTH * largest(far, near) && largest(near, last).is_finite()
 }
 
 /// Radii from `lower` to `upper`, with bounds on f′ and, if f′ does not change its sign, on f(upper) − f(lower).
@@ -108,10 +128,8 @@ impl Cell {
 }
 
 impl Cells {
-    /// Ranges from the axis to the end of the profile; `None` if f′ has no bounds in one of them.
-    fn new<P: Quantities + ?Sized>(shape: &P, depth: f64) -> Option<Self> {
-        // Within a few ulps of the end, rounding may take a radius out of the domain of f′.
-        let end = (shape.limit() * (1.0 - LAST)).min(FARTHEST);
+    /// Ranges from the axis to this end; `None` if f′ has no bounds in one of them.
+    fn new<P: Quantities + ?Sized>(shape: &P, depth: f64, end: f64) -> Option<Self> {
         let kinks = shape.breakpoints_below(end);
         let mut first = kinks.first().copied().unwrap_or(end);
         // Where |f′| ≤ M r^s, |g| ≤ (π/2) M x^(s+1) max(1, 1/(s + 1)), because sin t ≥ 2t/π.

@@ -1,6 +1,7 @@
 //! Where a profile is real and finite: its value at the axis, and tests at random admissible points.
 
 pub(crate) mod above_zero;
+pub(crate) mod acute_sign;
 pub(crate) mod barrier;
 pub(crate) mod decided;
 pub(crate) mod demand;
@@ -14,7 +15,7 @@ use crate::derive::domain::numeric_sign::certain_sign;
 use crate::derive::stream::Stream;
 use crate::eval::{BoundedAlgebra, WideAlgebra, constant_value, walk};
 use crate::expr::function::has_pole;
-use crate::expr::{Bindings, Condition, Expr, Node, Number, Sign, Symbol, leading_term, normal, sign};
+use crate::expr::{Bindings, Condition, Expr, Node, Number, Relation, Sign, Symbol, leading_term, normal, sign};
 use crate::integrate::error::TransformError;
 use crate::num::{Bounded, Precise, Wide};
 use crate::print;
@@ -216,21 +217,24 @@ pub(crate) fn seems_to_jump(before: &Expr, beyond: &Expr, at: &Expr, conditions:
     const DRAWN: usize = 64;
     let whole = before + beyond + at;
     let fails = |own: &Condition, set: &Bindings| match (constant_value(&own.left, set), constant_value(&own.right, set)) {
-        (Ok(left), Ok(right)) => own.relation != crate::expr::Relation::Equal && left.value > right.value,
+        (Ok(left), Ok(right)) => own.relation != Relation::Equal && left.value > right.value,
         _ => false,
     };
     let is_admissible = |set: &Bindings| !conditions.iter().any(|own| fails(own, set));
     sample_bindings(&whole, DRAWN).iter().filter(|set| is_admissible(set)).take(SETS).any(|set| {
         let Ok(place) = constant_value(at, set) else { return false };
-        let sides = |distance: f64| {
-            let (low, high) =
-                (value_at(before, set, place.value * (1.0 - distance)), value_at(beyond, set, place.value * (1.0 + distance)));
-            (high - low, low.abs() + high.abs())
-        };
-        let [(far, _), (near, _), (nearest, size)] = [1e-3, 1e-6, 1e-9].map(sides);
+        let [far, near, nearest] = [1e-3, 1e-6, 1e-9].map(|distance| {
+            let sides = [(before, -distance), (beyond, distance)];
+            sides.map(|(piece, distance)| bounded_at(piece, set, place.value * (1.0 + distance)))
+        });
+        let jump = |[low, high]: [Bounded; 2]| high.value - low.value;
+        let size: f64 = nearest.iter().map(|own| own.value.abs()).sum();
+        // The place is known with an error only, which moves both sides.
+        let rise: f64 = far.iter().zip(&near).map(|(far, near)| (far.value - near.value).abs() / 1e-3).sum();
+        let doubt = 1e-6 * size + nearest.iter().map(|own| own.error).sum::<f64>() + 2.0 * rise * (place.error / place.value).abs();
         // A difference that grows belongs to a pole, where the profile ends.
         let is_steady = |one: f64, other: f64| (0.9..1.1).contains(&(other / one));
-        nearest.abs() > 1e-6 * size && is_steady(near, nearest) && is_steady(far, near)
+        jump(nearest).abs() > doubt && is_steady(jump(near), jump(nearest)) && is_steady(jump(far), jump(near))
     })
 }
 
@@ -275,12 +279,16 @@ pub(crate) fn certain_sign_at(expr: &Expr, set: &Bindings, r: f64) -> Option<f64
 }
 
 pub(crate) fn value_at(expr: &Expr, set: &Bindings, r: f64) -> f64 {
-    let here = set.apply(expr);
-    let own = walk(&here, &mut BoundedAlgebra, &mut |_| Some(Bounded::exact(r))).map_or(f64::NAN, |v| v.value);
-    if !own.is_nan() {
+    bounded_at(expr, set, r).value
+}
+
+fn bounded_at(expr: &Expr, set: &Bindings, r: f64) -> Bounded {
+    let (here, unknown) = (set.apply(expr), Bounded::exact(f64::NAN));
+    let own = walk(&here, &mut BoundedAlgebra, &mut |_| Some(Bounded::exact(r))).unwrap_or(unknown);
+    if !own.value.is_nan() {
         return own;
     }
     // Infinite parts may meet in a number.
     let wide = Wide::new(Precise::exact(r));
-    walk(&here, &mut WideAlgebra, &mut |_| Some(wide)).map_or(f64::NAN, |v| v.precise().value.hi)
+    walk(&here, &mut WideAlgebra, &mut |_| Some(wide)).map_or(unknown, |own| own.precise().bounded())
 }

@@ -8,10 +8,14 @@ use crate::integrate::source::endpoint::Endpoint;
 use crate::integrate::source::f_prime::{Numbers, Scratch};
 use crate::integrate::source::leading_power::LeadingPower;
 use crate::num::bounded::UNIT;
-use crate::num::{Bounded, Estimate, Region};
+use crate::num::{Bounded, Estimate, Region, work};
 
 /// The largest N for which integrals are taken over the N-th root of the radius; for 10 they take up to six times the work.
 const MOST_ROOT: i32 = 4;
+/// Steps of a kernel at a node, …
+const KERNEL: u64 = 18;
+/// … and of a bound on it over a piece.
+const ENCLOSED_KERNEL: u64 = 45;
 
 impl NumericProfile {
     /// ∫₀^a (r f′)′ K(r, s) dr + Σ b δ K(b, s) with a proven bound, as [`Self::stress_direct`]; `None` where the enclosures of (r
@@ -156,6 +160,7 @@ impl Radii<'_> {
 
     /// A bound on |K|·a, by that on R_F where its arguments have positive real parts.
     fn largest_kernel(&self, own: &Lengths, is_real: bool) -> f64 {
+        work::spend(ENCLOSED_KERNEL);
         let one = Region::real(1.0);
         let (s, rest) = self.place_of_s;
         let edge = if is_real { own.below_edge.above_zero() } else { own.below_edge } * (one + own.r);
@@ -257,6 +262,7 @@ impl Range for Radii<'_> {
     fn fill(&self, places: &[Place], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch) {
         let (mut deltas, mut doubts, mut kernels) = ([0.0; MOST_NODES], [0.0; MOST_NODES], [Bounded::exact(0.0); MOST_NODES]);
         let (count, end) = (places.len(), self.segment.ends.0.doubt);
+        work::spend(KERNEL * count as u64);
         for (((place, delta), doubt), weight) in places.iter().zip(&mut deltas).zip(&mut doubts).zip(&mut kernels) {
             let (r, own, distances) = self.distances(*place);
             *delta = own;

@@ -292,7 +292,7 @@ pub struct RegionAlgebra;
 
 impl Algebra for RegionAlgebra {
     type Value = Region;
-    const COST: Cost = Cost::new(30, 96, 80);
+    const COST: Cost = Cost::new(24, 80, 70);
     fn constant(&mut self, number: Precise) -> Region {
         let (value, error) = (number.value.hi, number.value.lo.abs() + number.error);
         if error == 0.0 { Region::real(value) } else { Region::new(((value - error).next_down(), (value + error).next_up()), (0.0, 0.0)) }
