@@ -22,7 +22,10 @@ const FINE: f64 = 1e-10;
 
 impl<'a, P: Quantities + ?Sized> Contact<'a, P> {
     /// Returns this contact for `count` pressures under the radius `a`, with one expansion for all of them where they cost too much one by
-    /// one; see [`Contact::with_pressures`].
+    /// one.
+    ///
+    /// The errors of the expansion are estimated; where one exceeds 1e-10 of the value, without an expansion, and for every other
+    /// quantity, the profile is asked as before.
     pub fn for_pressures(&self, a: f64, count: usize) -> Contact<'a, Expanded<P>> {
         let is_chosen = self.are_expensive(a, count);
         self.with_pressures(if is_chosen { self.evaluator().pressure_curve(a).map(Arc::new) } else { None })
@@ -46,10 +49,7 @@ impl<'a, P: Quantities + ?Sized> Contact<'a, P> {
         TYPICAL.into_iter().map(cost).min().unwrap_or(0).saturating_mul(count as u64) >= EXPENSIVE
     }
 
-    /// Returns a contact whose pressures under the radius of an expansion, see [`Quantities::pressure_curve`], come from it.
-    ///
-    /// The errors of the expansion are estimated; where one exceeds 1e-10 of the value, without an expansion, and for every other
-    /// quantity, the profile is asked as before.
+    /// Returns this contact with an expansion of the pressures under its radius, see [`Quantities::pressure_curve`].
     pub(crate) fn with_pressures(&self, curve: Option<Arc<PressureCurve<'static>>>) -> Contact<'a, Expanded<P>> {
         let evaluator = Expanded { profile: self.shared_evaluator(), curve };
         Contact::new(evaluator, self.effective_modulus(), self.depth_of_rim(), self.tolerance())
@@ -111,7 +111,7 @@ pub fn with_reasons(found: Vec<Result<Measured, Absence<ContactError>>>) -> Resu
     Ok(readings)
 }
 
-/// A profile whose pressures under one contact radius come from one expansion; see [`Contact::with_pressures`].
+/// A profile whose pressures under one contact radius come from one expansion; see [`Contact::for_pressures`].
 pub struct Expanded<P: ?Sized> {
     profile: Arc<P>,
     curve: Option<Arc<PressureCurve<'static>>>,

@@ -109,8 +109,8 @@ pub(in crate::contact) enum Absence {
 
 /// The smallest radius at which a function reaches a value, with its error; or the reason why none was found.
 ///
-/// `stays_below` returns the reason if it proves that no radius exists, at least up to the end. It is called at most once: when a value has no digits, when the
-/// search has become expensive, or at the end of the search.
+/// `stays_below` returns the reason if it proves that no radius exists, at least up to the end. It is called at most once: when a value has
+/// no digits, when the search has become expensive, or at the end of the search.
 pub(super) fn root(
     height: &mut dyn FnMut(f64) -> Result<Estimate, TransformError>,
     stays_below: &dyn Fn() -> Option<Absence>,

@@ -288,7 +288,7 @@ pub(crate) fn known_sign(expr: &Expr) -> Sign {
 }
 
 /// 1 or −1 if an expression in one slope angle has this sign for every acute angle.
-pub(crate) fn acute_sign(expr: &Expr) -> Option<f64> {
+fn acute_sign(expr: &Expr) -> Option<f64> {
     if !has_angle(expr) {
         return None;
     }

@@ -1,6 +1,6 @@
 //! Conditions that hold whatever the parameters are, or because others hold.
 
-use crate::derive::angles::{self, Positive};
+use crate::derive::angles::Positive;
 use crate::derive::domain::located::is_approximate;
 use crate::derive::domain::numeric_sign::numeric_sign;
 use crate::eval::constant_value;
@@ -23,10 +23,7 @@ pub(crate) fn decided_for_all(condition: &Condition) -> Option<bool> {
         (Relation::Less | Relation::LessOrEqual, Sign::Negative) => Some(false),
         (relation, Sign::Zero) => Some(relation != Relation::Less),
         (Relation::LessOrEqual, Sign::Unknown) if is_square(&room) => Some(true),
-        (relation, Sign::Unknown) => {
-            let own = numeric_sign(&room).or_else(|| angles::acute_sign(&room))?;
-            Some(relation != Relation::Equal && own > 0.0)
-        }
+        (relation, Sign::Unknown) => numeric_sign(&room).map(|own| relation != Relation::Equal && own > 0.0),
     })
 }
 

@@ -178,7 +178,7 @@ pub(crate) fn last_root(value: &Expr) -> Option<(Expr, Expr)> {
 
 /// √u, without a root where u is the square of what has a known sign, as b² + 2bc + c².
 pub(crate) fn root_of_square(expr: &Expr) -> Expr {
-    match normal::square_root(expr).map(|root| (angles::known_sign(&root), root)) {
+    match normal::square_root(expr).map(|root| (sign(&root), root)) {
         Some((Sign::Positive, root)) => root,
         Some((Sign::Negative, root)) => -root,
         _ => expr.sqrt(),

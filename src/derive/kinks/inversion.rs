@@ -58,7 +58,12 @@ pub(super) fn from_one_apex(difference: &Expr, radius: &Symbol) -> Option<(Cross
     }
     let size = |own: &Expr, sign: Sign| if sign == Sign::Positive { own.clone() } else { -own };
     let (height, slope) = (size(&c, of_c), size(l, of_l));
-    let steepest = root_of_square(&(s.power(2) * size(q2, if is_round { Sign::Negative } else { Sign::Positive })));
+    let square = s.power(2) * size(q2, if is_round { Sign::Negative } else { Sign::Positive });
+    // A slope angle has a positive tangent.
+    let steepest = match normal::square_root(&square).and_then(|root| Some((sign(&root)?, root))) {
+        Some((of_root, root)) => size(&root, of_root),
+        None => root_of_square(&square),
+    };
     let mut conditions = Vec::new();
     let ratio = &slope / &steepest;
     let twice = angle_of_tangent(&ratio).map(|angle| Expr::integer(2) * angle);
