@@ -7,7 +7,7 @@ use crate::derive::domain::demands;
 use crate::derive::domain::numeric_sign::numeric_sign;
 use crate::derive::kinks::{Resolved, groups, resolve};
 use crate::derive::{angles, domain};
-use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, undefined_constant};
+use crate::expr::{Bindings, Condition, Expr, Formula, Node, Relation, Sign, Symbol, undefined_constant};
 use crate::integrate::error::TransformError;
 use crate::num::work;
 use crate::print;
@@ -140,6 +140,12 @@ impl Profile {
     /// The conditions 0 < u < π/2 for the slope angles u, which generated code checks.
     pub(crate) fn angle_conditions(&self) -> Vec<Condition> {
         angles::conditions(self.chains.iter().flat_map(|chain| chain.breakpoints.iter().chain(&chain.pieces)))
+    }
+
+    /// True if abs, min or max decide about pieces, for which the sign of what has a slope angle may have been used.
+    pub(crate) fn has_kinks(&self) -> bool {
+        let is_kink = |part: &Expr| matches!(part.node(), Node::Function(function, _) if matches!(function.name(), "abs" | "min" | "max"));
+        self.typed.expressions().iter().any(|own| own.parts().any(is_kink))
     }
 
     /// True if f does not depend on r.

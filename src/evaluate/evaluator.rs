@@ -114,8 +114,8 @@ impl<'a> Evaluator<'a> {
     /// the values break are not used: their terms are integrated.
     pub fn new(solution: &'a Solution, bindings: &Bindings, method: Method, tolerance: f64) -> Result<Self, TransformError> {
         tolerance_in_range(tolerance)?;
-        // The conditions on slope angles keep signs in formulas, which numbers do not need.
-        let is_needed = |own: &Condition| !solution.profile.angle_conditions().contains(own);
+        // The conditions on slope angles keep signs in formulas, which numbers do not need unless kinks depend on them.
+        let is_needed = |own: &Condition| solution.profile.has_kinks() || !solution.profile.angle_conditions().contains(own);
         if let Some(broken) = solution.profile.conditions.iter().find(|own| is_broken(own, bindings) && is_needed(own)) {
             return Err(TransformError::ConditionFails { condition: text_condition(broken) });
         }

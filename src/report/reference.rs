@@ -3,6 +3,7 @@
 use crate::contact::State;
 use crate::num::Bound;
 use crate::report::digits::Digits;
+use crate::report::solved::json::CompletionOf;
 use crate::scene::{Dimension, Field, Grid, Quantity, Run, infinite_value};
 use serde::Serialize;
 use serde::ser::{SerializeSeq, Serializer};
@@ -116,6 +117,8 @@ impl Reference<'_, '_> {
             effective_modulus: f64,
             grid: GridEntry,
             loads: Loads<'a, 'b, 'r>,
+            #[serde(flatten)]
+            completion: CompletionOf<'b, 'r>,
         }
         #[derive(Serialize)]
         struct Units<'a> {
@@ -147,7 +150,13 @@ impl Reference<'_, '_> {
         };
         let missing = Cell::new(0);
         let loads = Loads { own: self, missing: &missing };
-        let document = Document { units, effective_modulus: scene.effective_modulus * scene.system.out(Dimension::PRESSURE), grid, loads };
+        let document = Document {
+            units,
+            effective_modulus: scene.effective_modulus * scene.system.out(Dimension::PRESSURE),
+            grid,
+            loads,
+            completion: CompletionOf(self.run),
+        };
         super::json::write("reference", &document, out)?;
         Ok(missing.get())
     }

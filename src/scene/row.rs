@@ -21,10 +21,19 @@ pub struct Row {
     pub regime: Option<Regime>,
 }
 
+/// The rule of the finding that says that the budget was exhausted.
+pub(super) const UNFINISHED: &str = "unfinished";
+
 impl Row {
     /// Returns true if no finding is an error.
     pub fn is_valid(&self) -> bool {
         self.indented.is_valid()
+    }
+
+    /// Returns whether the load has a valid contact; `None` if the budget was exhausted before that was known.
+    pub fn validity(&self) -> Option<bool> {
+        let is_cut = self.indented.findings.iter().any(|own| own.rule == UNFINISHED);
+        (!is_cut).then(|| self.is_valid())
     }
 
     /// Returns the value of a quantity, if there is one.

@@ -546,7 +546,7 @@ fn late(error: &ContactError, scene: &Scene) -> SceneError {
 
 /// Returns the row of a load for which the budget was exhausted.
 fn unfinished() -> Indented {
-    let finding = Finding { rule: "unfinished", severity: Severity::Error, message: UNFINISHED.to_owned(), at: None };
+    let finding = Finding { rule: super::row::UNFINISHED, severity: Severity::Error, message: UNFINISHED.to_owned(), at: None };
     Indented { state: None, findings: vec![finding], radii: None }
 }
 

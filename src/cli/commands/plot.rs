@@ -126,6 +126,10 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let named: Vec<(&str, &Run<'_>)> =
         subjects.iter().zip(&runs).map(|(own, run)| (if is_alone { "" } else { own.name.as_str() }, run)).collect();
     let picture = Picture::of_contacts(&named, quantities);
+    if let Some(why) = runs.iter().find_map(Run::cut_short).filter(|_| picture.is_empty()) {
+        warn(why);
+        return Ok(Outcome::Failed);
+    }
     if picture.is_empty() {
         return Err(Failure::new("nothing to draw: no load has a valid contact").help("run sneddon solve for the reasons"));
     }

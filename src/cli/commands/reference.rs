@@ -124,8 +124,13 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     for key in estimated {
         warn(&format!("error bounds of {key} are estimated, not proven; CSV and JSON record this, NPY cannot"));
     }
+    let cut = run.cut_short();
     drop(run);
     drop(progress);
+    if let Some(why) = cut {
+        warn(&format!("some numbers are missing: {why}"));
+        return Ok(Outcome::Failed);
+    }
     if missing == 0 {
         return Ok(Outcome::Done);
     }

@@ -108,7 +108,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         warn(&format!("some numbers are missing: {why}"));
         return Ok(Outcome::Failed);
     }
-    if verdict.is_valid() {
+    if verdict.validity() == Some(true) {
         return Ok(Outcome::Done);
     }
     let (invalid, rows) = verdict.counts();

@@ -92,10 +92,8 @@ pub fn html(sheet: &Sheet<'_>, formally: bool, out: &mut dyn Write) -> io::Resul
 fn judged(verdict: &Verdict, run: &Run<'_>, out: &mut dyn Write) -> io::Result<()> {
     let scene = run.scene();
     let modulus = scene.effective_modulus * scene.system.out(Dimension::PRESSURE);
-    let (invalid, rows) = verdict.counts();
-    let word = if verdict.is_valid() { "passed" } else { "failed" };
-    let counted = if verdict.is_valid() { verdict.words() } else { format!("not valid in {invalid} of {rows} rows") };
-    writeln!(out, "<p><strong class=\"{word}\">{}</strong>: {}.</p>", escaped(&counted), escaped(assumptions(scene)))?;
+    let word = if verdict.validity() == Some(true) { "passed" } else { "failed" };
+    writeln!(out, "<p><strong class=\"{word}\">{}</strong>: {}.</p>", escaped(&verdict.words()), escaped(assumptions(scene)))?;
     writeln!(out, "<p>Effective modulus E* = {modulus:?} {}.</p>", escaped(&scene.system.unit_name(Dimension::PRESSURE)))?;
     if let Some(own) = verdict.regime() {
         writeln!(out, "<p>{}.</p>", escaped(own.sentence(&scene.system).trim_end_matches('.')))?;

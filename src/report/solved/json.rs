@@ -51,8 +51,8 @@ pub fn solved(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<
     Ok(verdict.into_inner())
 }
 
-/// Returns whether the rows and curves, which were already written, are complete.
-struct CompletionOf<'a, 'r>(&'a Run<'r>);
+/// Whether the rows, curves and fields, which were already written, are complete.
+pub(in crate::report) struct CompletionOf<'a, 'r>(pub(in crate::report) &'a Run<'r>);
 
 impl Serialize for CompletionOf<'_, '_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -120,8 +120,8 @@ impl Serialize for RowEntry<'_, '_> {
             map.serialize_entry("model_error", &changes)?;
         }
         map.serialize_entry("edge", &row.indented.state.filter(|_| shown).map(|state| edge(state.boundary)))?;
-        map.serialize_entry("valid", &row.is_valid())?;
-        map.serialize_entry("verdict", &words(row.is_valid(), row.indented.radii))?;
+        map.serialize_entry("valid", &row.validity())?;
+        map.serialize_entry("verdict", &row.validity().map(|own| words(own, row.indented.radii)))?;
         if let Some(radii) = row.indented.radii {
             map.serialize_entry("radii", &radii)?;
         }
@@ -253,8 +253,8 @@ impl Serialize for Validity<'_, '_> {
             })
             .collect();
         let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("valid", &verdict.is_valid())?;
-        map.serialize_entry("verdict", &verdict.words())?;
+        map.serialize_entry("valid", &verdict.validity())?;
+        map.serialize_entry("verdict", &verdict.validity().map(|own| words(own, verdict.radii())))?;
         if let Some(radii) = verdict.radii() {
             map.serialize_entry("radii", &radii)?;
         }

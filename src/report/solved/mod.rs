@@ -24,6 +24,7 @@ pub struct Verdict {
     findings: Vec<(Finding, u64)>,
     rows: u64,
     invalid: u64,
+    unfinished: u64,
     largest: f64,
     /// Minimum number of radii at which an unproven row was checked.
     radii: Option<u64>,
@@ -63,7 +64,8 @@ impl Verdict {
     /// Adds a row.
     pub fn take(&mut self, row: &Row) {
         self.rows += 1;
-        self.invalid += u64::from(!row.is_valid());
+        self.invalid += u64::from(row.validity() == Some(false));
+        self.unfinished += u64::from(row.validity().is_none());
         if let Some(radii) = row.indented.radii.filter(|_| row.is_valid()) {
             self.radii = Some(self.radii.map_or(radii, |known| known.min(radii)));
         }
@@ -95,19 +97,27 @@ impl Verdict {
         }
     }
 
-    /// Returns true if every row is valid.
-    pub fn is_valid(&self) -> bool {
-        self.invalid == 0
+    /// Returns whether every row is valid; `None` if the budget was exhausted before that was known.
+    pub fn validity(&self) -> Option<bool> {
+        match (self.invalid, self.unfinished) {
+            (0, 0) => Some(true),
+            (0, _) => None,
+            _ => Some(false),
+        }
     }
 
-    /// Returns the verdict on all rows in words.
+    /// Returns the verdict on all rows in words, with the number of rows to which it applies if it is not that all are valid.
     pub fn words(&self) -> String {
-        words(self.is_valid(), self.radii)
+        match self.validity() {
+            Some(true) => words(true, self.radii),
+            Some(false) => format!("not valid in {} of {} rows", self.invalid, self.rows),
+            None => format!("not known in {} of {} rows", self.unfinished, self.rows),
+        }
     }
 
-    /// Returns the minimum number of radii at which an unproven row was checked; `None` if every row is proven.
+    /// Returns the minimum number of radii at which an unproven row was checked; `None` if every row is proven, or one is unfinished.
     pub fn radii(&self) -> Option<u64> {
-        self.radii
+        self.radii.filter(|_| self.unfinished == 0)
     }
 
     /// Returns the first finding of every rule and the number of affected rows, which is zero for findings about the whole profile.

@@ -45,7 +45,8 @@ pub fn table(run: &Run<'_>, formally: bool, digits: Digits, out: &mut dyn Write)
         }
         write!(out, "  {}", edge_of(&row))?;
         if let Some(first) = row.indented.findings.iter().find(|own| own.severity == Severity::Error) {
-            write!(out, "  invalid: {}", first.rule)?;
+            let word = if row.validity().is_some() { "invalid: " } else { "" };
+            write!(out, "  {word}{}", first.rule)?;
         }
         writeln!(out)?;
     }
@@ -58,12 +59,7 @@ pub fn table(run: &Run<'_>, formally: bool, digits: Digits, out: &mut dyn Write)
         writeln!(out, "{own}")?;
     }
     changes.write(run, out)?;
-    let (invalid, rows) = verdict.counts();
-    if verdict.is_valid() {
-        writeln!(out, "{} (model: {})", verdict.words(), assumptions(scene))?;
-    } else {
-        writeln!(out, "not valid in {invalid} of {rows} rows (model: {})", assumptions(scene))?;
-    }
+    writeln!(out, "{} (model: {})", verdict.words(), assumptions(scene))?;
     if let Some(own) = verdict.regime() {
         writeln!(out, "{}", own.sentence(&scene.system))?;
     }
@@ -184,7 +180,8 @@ pub fn csv(run: &Run<'_>, formally: bool, digits: Digits, out: &mut dyn Write) -
             } else {
                 vec![String::new(); 2 * scene.outputs.data.len()]
             };
-            writeln!(out, "{},{},{},{rule},{}", numbers.join(","), edge_of(&row), row.is_valid(), bounds.join(","))?;
+            let valid = row.validity().map_or_else(String::new, |own| own.to_string());
+            writeln!(out, "{},{},{valid},{rule},{}", numbers.join(","), edge_of(&row), bounds.join(","))?;
         }
     }
     if !curves.is_empty() {
