@@ -21,7 +21,7 @@ impl Evaluator<'_> {
     /// Where double precision leaves the sum of the closed terms too few digits, all of them are evaluated with 30.
     ///
     /// Special functions may need many thousand terms at some arguments, and the terms that stay open may cancel where the formula
-    /// that was typed does not: with method `auto` each may take one or two milliseconds before the integral of the formula as typed is
+    /// that was typed does not: with method `auto` each may take about a millisecond before the integral of the formula as typed is
     /// tried instead. Where that misses the tolerance, closed forms may take half a second. Open terms may take a tenth of a second,
     /// and only where the integral is also less accurate than [`SCANT`].
     pub(crate) fn combine(&self, quantity: Superposed, ask: Ask) -> Answer {
@@ -216,9 +216,8 @@ const CLOSED_FORM_STEPS: u64 = 100_000;
 const CLOSED_FORM_STEPS_30_DIGITS: u64 = 400_000;
 /// Steps, about half a second, for a closed form or for the integral of the recognised f′ if quadrature has missed the tolerance.
 const STEPS_AFTER_QUADRATURE: u64 = 50_000_000;
-/// Steps, about two milliseconds, after which the integral of the open terms is abandoned in favour of the formula as typed: pressures
-/// under dozens of kinks take nearly as many.
-const OPEN_STEPS: u64 = 200_000;
+/// Steps, about half a millisecond, after which the integral of the open terms is abandoned in favour of the formula as typed.
+const OPEN_STEPS: u64 = 50_000;
 /// The same if the formula as typed has missed the tolerance.
 const OPEN_STEPS_AFTER_QUADRATURE: u64 = 10_000_000;
 
