@@ -1,6 +1,6 @@
 //! The contact radius under a given force with a smooth edge: the root of F(a) = F.
 
-use super::radius::{Absence, Certain, Radii, overflow, root};
+use super::radius::{Certain, NoRadius, Radii, overflow, root};
 use super::{Contact, ContactError};
 use crate::num::Estimate;
 use crate::transform::{Quantities, Reading, TransformError};
@@ -50,7 +50,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
                 other => other,
             })?;
         let (a, Certain { reach, bound, .. }) =
-            found.map_err(|(Absence::Proven(reason) | Absence::Unproven(reason))| unreachable(reason))?;
+            found.map_err(|(NoRadius::Proven(reason) | NoRadius::Unproven(reason))| unreachable(reason))?;
         Ok(Reading { estimate: Estimate { error: reach, evaluations, bound, way, ..Estimate::exact(a) }, method: "root" })
     }
 }

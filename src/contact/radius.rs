@@ -88,8 +88,8 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: 
     let stays_below = || unreachable::stays_below(evaluator, depth);
     let found = root(&mut height, &stays_below, radii, depth, start, limit)?;
     let (a, Certain { reach, bound, .. }) = found.map_err(|absence| match absence {
-        Absence::Proven(reason) => ContactError::Unreachable { depth, reason },
-        Absence::Unproven(reason) => ContactError::NotFound { depth, reason },
+        NoRadius::Proven(reason) => ContactError::Unreachable { depth, reason },
+        NoRadius::Unproven(reason) => ContactError::NotFound { depth, reason },
     })?;
     Ok(Reading { estimate: Estimate { error: reach, evaluations, bound, way, ..Estimate::exact(a) }, method: "root" })
 }
@@ -100,7 +100,7 @@ pub(in crate::contact) fn overflow(is_negative: bool) -> f64 {
 }
 
 /// The reason why a search found no radius.
-pub(in crate::contact) enum Absence {
+pub(in crate::contact) enum NoRadius {
     /// No radius exists.
     Proven(&'static str),
     /// A radius may exist.
@@ -113,12 +113,12 @@ pub(in crate::contact) enum Absence {
 /// no digits, when the search has become expensive, or at the end of the search.
 pub(super) fn root(
     height: &mut dyn FnMut(f64) -> Result<Estimate, TransformError>,
-    stays_below: &dyn Fn() -> Option<Absence>,
+    stays_below: &dyn Fn() -> Option<NoRadius>,
     radii: &Radii,
     target: f64,
     start: f64,
     limit: f64,
-) -> Result<Result<(f64, Certain), Absence>, ContactError> {
+) -> Result<Result<(f64, Certain), NoRadius>, ContactError> {
     let mut with_digits = |a: f64| {
         let Estimate { value, error, .. } = height(a)?;
         if error > value.abs() { Err(TransformError::NoDigits { at: a, value, error }) } else { Ok(value) }
@@ -136,7 +136,7 @@ pub(super) fn root(
     };
     Ok(certain(&mut gap, a, start, limit)?
         .map(|certain| (a, certain))
-        .ok_or(Absence::Unproven("the errors are too large to show where it is reached")))
+        .ok_or(NoRadius::Unproven("the errors are too large to show where it is reached")))
 }
 
 /// The neighbourhood of a root beyond which the sign of an increasing function is certain.
@@ -182,7 +182,7 @@ pub(super) fn certain(
 /// Samples g outward from the flat part of the tip.
 struct Look<'a> {
     height: &'a mut dyn FnMut(f64) -> Result<f64, TransformError>,
-    stays_below: &'a dyn Fn() -> Option<Absence>,
+    stays_below: &'a dyn Fn() -> Option<NoRadius>,
     start: f64,
     limit: f64,
     /// The radii to sample, in increasing order.
@@ -217,7 +217,7 @@ impl Look<'_> {
     }
 
     /// The first pair of adjacent radii between which g reaches the depth.
-    fn bracket(&mut self, radii: &Radii, depth: f64) -> Result<Result<(f64, f64), Absence>, ContactError> {
+    fn bracket(&mut self, radii: &Radii, depth: f64) -> Result<Result<(f64, f64), NoRadius>, ContactError> {
         let begin = work::left();
         let mut asked = false;
         let mut seen = radii.0.lock().unwrap_or_else(PoisonError::into_inner).clone();
@@ -262,7 +262,7 @@ impl Look<'_> {
         let Some((place, upper)) = found else {
             *radii.0.lock().unwrap_or_else(PoisonError::into_inner) = seen;
             let proof = if asked { None } else { (self.stays_below)() };
-            return Ok(Err(proof.unwrap_or(Absence::Unproven("it is not reached at any radius that was tried"))));
+            return Ok(Err(proof.unwrap_or(NoRadius::Unproven("it is not reached at any radius that was tried"))));
         };
         let before = place.checked_sub(1).and_then(|before| seen.places.get(before)).map(|own| own.0);
         *radii.0.lock().unwrap_or_else(PoisonError::into_inner) = seen;

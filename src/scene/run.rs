@@ -135,7 +135,7 @@ impl<'a> Run<'a> {
         Self { watch: Some(Box::new(watch)), ..self }
     }
 
-    /// Rows no longer say where a contact overlaps or is in tension first, for callers that need to know only whether it is valid.
+    /// Omits the searches for the radius at which an overlap or a tension begins, for callers that need only the verdict of each row.
     #[must_use]
     pub fn without_details(self) -> Self {
         Self { indentation: self.indentation.without_details(), ..self }

@@ -112,11 +112,20 @@ fn spheres_and_cones_meet_at_twice_the_angle() {
         assert!(conditions.iter().any(|own| own == condition), "{text}: {conditions:?}");
         assert!(check(&solution).unwrap().points >= 60, "{text}");
     }
+    // Steeper cones do not meet the sphere again, and the formula with a kink does not apply to them.
+    let general = derive(&Profile::new(&parse::profile("min(R-sqrt(R^2-r^2), r*tan(theta))").unwrap()).unwrap()).unwrap();
+    let of = |angle: i64| [("theta", Expr::ratio(angle, 10)), ("R", Expr::integer(2))].into_iter().collect::<Bindings>();
+    assert!(
+        Evaluator::new(&general, &of(7), Method::Auto, 1e-13).is_ok() && Evaluator::new(&general, &of(10), Method::Auto, 1e-13).is_err()
+    );
     let steep = Profile::new(&parse::profile("min(R-sqrt(R^2-r^2), r*tan(1))").unwrap()).unwrap();
     assert_eq!(print::text(&derive(&steep).unwrap().equivalent_profile().formula), "x*atanh(x/R)");
 }
 
-/// Class "kinks with angles": signs that hold for every acute angle decide, no impossible condition is stated, and rounding is no jump.
+/// Class "kinks with angles".
+///
+/// A kink is found from a sign that is the same for every acute angle. Conditions that no angle meets are not stated, and rounding errors
+/// are not taken for a jump.
 #[test]
 fn signs_of_slope_angles_decide_about_kinks() {
     let conditions = |text: &str| {
@@ -142,7 +151,7 @@ fn signs_of_slope_angles_decide_about_kinks() {
     }
     // The sign changes at pi/4.
     assert!(Profile::new(&parse::profile("max(r/tan(theta), r*tan(theta))").unwrap()).is_err());
-    // g at x, by mpmath; the second angle is beyond pi/4, where the cosine is negative and there is no kink.
+    // Values of g(x) computed with mpmath. The last two profiles have no kink, because the cosines of 100 and 160 degrees are negative.
     for (text, x, g) in [
         ("abs(3/10*(1-cos(7*pi/180))-r*tan(7*pi/180))", 0.7, 0.130_535_862_362_664_4),
         ("min(13/10*(1-cos(50*pi/180)), r^2*cos(100*pi/180))", 0.5, -0.086_824_088_833_465_18),

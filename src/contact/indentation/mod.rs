@@ -16,7 +16,7 @@ pub use errors::Estimates;
 pub use naming::{Naming, in_unit};
 pub use verdict::{Finding, Severity};
 
-use super::radius::Absence;
+use super::radius::NoRadius;
 use super::radius::unreachable::stays_below;
 use super::{Contact, ContactError, Explicit, explicit};
 use crate::expr::{Bindings, Symbol};
@@ -117,7 +117,7 @@ pub struct Indentation<'a> {
     known: Known,
     at_rim: Option<AtRim>,
     naming: Naming,
-    /// Whether findings say where they begin, and a verdict is proven where it can be, which takes a search and more proofs.
+    /// Whether findings state the radius at which they begin, and every verdict is proven if possible.
     is_detailed: bool,
     /// The body that is too steep for a half-space, and the first such radius.
     steep: Option<(&'static str, f64)>,
@@ -274,7 +274,7 @@ impl<'a> Indentation<'a> {
         Self { naming, ..self }
     }
 
-    /// Findings no longer say where a contact overlaps, opens or is in tension first, for callers that need to know only whether it is valid.
+    /// Omits the searches for the radius at which an overlap or a tension begins, for callers that need only the verdict.
     #[must_use]
     pub fn without_details(self) -> Self {
         Self { is_detailed: false, ..self }
@@ -366,8 +366,8 @@ impl<'a> Indentation<'a> {
         if nothing {
             let named = self.naming.length(depth);
             return Ok(unreachable(match stays_below(self.contact.evaluator(), depth) {
-                Some(Absence::Proven(reason)) => format!("no contact radius belongs to d = {named}: {reason}"),
-                Some(Absence::Unproven(reason)) => format!("no contact radius was found for d = {named}: {reason}"),
+                Some(NoRadius::Proven(reason)) => format!("no contact radius belongs to d = {named}: {reason}"),
+                Some(NoRadius::Unproven(reason)) => format!("no contact radius was found for d = {named}: {reason}"),
                 None => format!("no contact radius was found for d = {named}: g does not reach this depth {}", self.how_far()),
             }));
         }

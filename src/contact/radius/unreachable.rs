@@ -1,6 +1,6 @@
 //! Proofs that g stays below a depth at every radius, from enclosures of f′.
 
-use super::{Absence, FARTHEST};
+use super::{FARTHEST, NoRadius};
 use crate::contact::indentation::cells::halved;
 use crate::num::{Bound, stable::leg, work};
 use crate::transform::Quantities;
@@ -42,18 +42,18 @@ const ROUNDING: f64 = 1e-12;
 /// Where f′ lies between L and H from r = l to u, ∫ f′/√(1 − r²/x²) dr over that range lies between L and H times
 /// x (arcsin(u/x) − arcsin(l/x)), and, if f′ does not change its sign, between f(u) − f(l) times the factors 1/√(1 − r²/x²) at both ends.
 /// Ranges whose bounds do not suffice are halved.
-pub(in crate::contact) fn stays_below<P: Quantities + ?Sized>(shape: &P, depth: f64) -> Option<Absence> {
+pub(in crate::contact) fn stays_below<P: Quantities + ?Sized>(shape: &P, depth: f64) -> Option<NoRadius> {
     let limit = shape.limit();
     // Within a few ulps of the end, rounding may take a radius out of the domain of f′.
     let last = limit * (1.0 - LAST);
     let prove = || Cells::new(shape, depth, last.min(FARTHEST)).is_some_and(|mut cells| cells.prove(shape, depth));
     work::share(PROVING, prove).filter(|proven| *proven)?;
     Some(if limit.is_infinite() {
-        Absence::Proven("g stays below it up to x = 1e150")
+        NoRadius::Proven("g stays below it up to x = 1e150")
     } else if is_flat_at(shape, limit, last) {
-        Absence::Proven("g stays below it up to the end of the profile")
+        NoRadius::Proven("g stays below it up to the end of the profile")
     } else {
-        Absence::Unproven("g stays below it up to 8 ulps before the end of the profile, next to which f' has no bound")
+        NoRadius::Unproven("g stays below it up to 8 ulps before the end of the profile, next to which f' has no bound")
     })
 }
 
