@@ -118,10 +118,12 @@ impl Reason {
     /// The reason at radius r of a contact of radius a, from nearby pressures, which increase or decrease towards r.
     pub(crate) fn at_singularity(r: f64, a: f64, pressure: impl Fn(f64) -> Option<f64>) -> Self {
         let near = |gap: f64| if r + gap * a < a { pressure(r + gap * a) } else { pressure(r - gap * a) };
-        let falls = NEAR.windows(2).any(|gaps| match gaps {
-            [far, near_by] => near(*far).zip(near(*near_by)).is_some_and(|(far, near_by)| near_by < far),
-            _ => false,
-        });
+        let [far, near_by] = NEAR.map(near);
+        Self::of_singularity(r, far.zip(near_by).is_some_and(|(far, near_by)| near_by < far))
+    }
+
+    /// The reason at radius r, where the pressure falls to minus infinity or rises.
+    fn of_singularity(r: f64, falls: bool) -> Self {
         match (r == 0.0, falls) {
             (true, false) => Self::Apex,
             (false, false) => Self::Kink,
@@ -345,7 +347,19 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
 
     /// Why the pressure at r is infinite.
     pub(super) fn singularity(&self, r: f64, a: f64) -> Reason {
-        Reason::at_singularity(r, a, |r| Some(self.evaluator.pressure(r, a).ok()??.estimate.value))
+        match self.f_prime_falls_at(r, a) {
+            Some(falls) => Reason::of_singularity(r, falls),
+            None => Reason::at_singularity(r, a, |r| Some(self.evaluator.pressure(r, a).ok()??.estimate.value)),
+        }
+    }
+
+    /// Whether f′ falls at r, from 0 at the axis; `None` if bounds on f′ on both sides do not decide.
+    fn f_prime_falls_at(&self, r: f64, a: f64) -> Option<bool> {
+        let [_, gap] = NEAR.map(|gap| gap * a);
+        let beyond = self.evaluator.f_prime_over(r + gap, r + 2.0 * gap)?;
+        let before = if r == 0.0 { (0.0, 0.0) } else { self.evaluator.f_prime_over(r - 2.0 * gap, r - gap)? };
+        let (falls, rises) = (beyond.1 < before.0, beyond.0 > before.1);
+        (falls != rises).then_some(falls)
     }
 
     /// u_z(r): d − f(r) inside the contact, (2/π)∫₀^a (d − g)/√(r²−x²) dx outside.

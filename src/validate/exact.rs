@@ -150,9 +150,16 @@ pub(super) struct Pressures<'c> {
     /// The singularities within the contact.
     pub(super) sharp: Sharp,
     curve: Option<PressureCurve<'c>>,
+    /// p next to the axis where it is the same as on the axis; filled when it is first needed.
+    next_to_axis: OnceCell<Option<f64>>,
     factor: f64,
     excess: f64,
 }
+
+/// Part of the contact radius below which a finite pressure is taken from the axis, because a curve needs quadrature there, …
+const NEXT_TO_AXIS: f64 = 1e-7;
+/// … and the largest relative change of the pressure over that part.
+const SAME: f64 = 1e-6;
 
 /// Number of points above which a curve costs less than quadrature at each point.
 const MANY: u64 = 20;
@@ -168,7 +175,8 @@ impl<'c> Pressures<'c> {
         let open = formula.filter(|own| rows >= MANY && a > 0.0 && !own.closes(a));
         let curve = open.and_then(|own| PressureCurve::new(own.contact.evaluator().typed().ok()?, a).ok());
         let (formula, sharp) = (formula.map(|own| &own.contact), exact.sharp(a));
-        Self { formula, shape, state: *state, sharp, curve, factor: shape.effective_modulus() / PI, excess }
+        let (next_to_axis, factor) = (OnceCell::new(), shape.effective_modulus() / PI);
+        Self { formula, shape, state: *state, sharp, curve, next_to_axis, factor, excess }
     }
 
     /// Returns p at every r, clamped to at least 0; NaN if p is infinite or cannot be computed.
@@ -188,6 +196,7 @@ impl<'c> Pressures<'c> {
             let edge = if self.excess == 0.0 { 0.0 } else { self.factor * self.excess / leg(a, *r) };
             let smooth = match (&self.curve, &mut found) {
                 _ if *r == a => None,
+                _ if *r < NEXT_TO_AXIS * a && self.next_to_axis().is_some() => self.next_to_axis(),
                 (Some(curve), _) => match curve.at(*r) {
                     Ok(Some(own)) if own.error <= CURVE * own.value.abs() => Some(self.factor * own.value),
                     Ok(None) => None,
@@ -198,5 +207,13 @@ impl<'c> Pressures<'c> {
             };
             smooth.map_or(f64::NAN, |smooth| smooth + edge)
         }));
+    }
+    fn next_to_axis(&self) -> Option<f64> {
+        *self.next_to_axis.get_or_init(|| {
+            let curve = self.curve.as_ref()?;
+            let pressure = |r: f64| Some(curve.at(r).ok()??.value);
+            let (on_axis, beside) = (pressure(0.0)?, pressure(NEXT_TO_AXIS * self.state.radius)?);
+            ((on_axis - beside).abs() <= SAME * beside.abs()).then_some(self.factor * on_axis)
+        })
     }
 }

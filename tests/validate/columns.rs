@@ -116,6 +116,26 @@ fn the_axis_of_a_fine_lattice_is_found() {
     }
 }
 
+/// Radii far below any pixel, where a curve of pressures needs quadrature: p(r) differs from p(0) by a multiple of r² ln r for
+/// one tip, and is infinite as −ln r on the axis for the other.
+#[test]
+fn pressures_next_to_the_axis_are_compared() {
+    let place = room("next");
+    let radii: Vec<f64> = [1e-15, 1e-12, 1e-9, 1e-8, 1e-6].into_iter().chain((1..40).map(|i| 0.02 * f64::from(i))).collect();
+    for tip in ["r^2*exp(r)", "r+r^2*exp(r)/100"] {
+        let scene = format!("[profile]\nf = \"{tip}\"\n[material]\neffective_modulus = 1\n[load]\ncontact_radius = 1\n");
+        let places: Vec<String> = radii.iter().map(f64::to_string).collect();
+        let words = ["eval", tip, "--quantity", "p", "--radius", "1", "--at", &places.join(","), "--method", "quadrature", "--csv"];
+        let made = Command::new(env!("CARGO_BIN_EXE_sneddon")).args(words).output().unwrap();
+        let table = String::from_utf8(made.stdout).unwrap();
+        let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').take(2).collect()).collect();
+        fs::write(place.join("data.csv"), rows.iter().map(|own| own.join(",") + "\n").collect::<String>()).unwrap();
+        let (code, found) = validated(&place, &scene, &["data.csv".to_owned()], &["--tol", "1e-6"]);
+        let largest = found["columns"]["p"]["max"].as_f64().unwrap();
+        assert!(code == 0 && largest < 1e-7, "{tip}: {found:#}");
+    }
+}
+
 /// Fewer pixels than places along a side, and boxes that the counted contact radii do not fit.
 #[test]
 fn grids_and_boxes_that_cannot_be_fail() {

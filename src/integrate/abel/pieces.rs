@@ -44,6 +44,10 @@ const ROUGH: f64 = 1e-3;
 const FAINT: f64 = 1e-200;
 /// Number of points for the first estimate of the size of the integrand.
 const PLACES: usize = 16;
+/// Number of equal parts of all ranges together for an upper bound on the integral, …
+const CUTS: usize = 64;
+/// … and the fewest parts of each of many ranges.
+const FEWEST_CUTS: usize = 4;
 /// Smallest fraction of the target assigned to a piece, however short it is.
 const LEAST_SHARE: f64 = 1e-4;
 
@@ -170,7 +174,10 @@ pub(crate) fn proven_sum<R: Range>(ranges: &mut [R], more: Bounded, tolerance: f
             // The samples may belong to the tail of a narrow feature; in that case use the bound on the integrand as the scale.
             let largest = match widest {
                 Some(_) => widest,
-                None => Some(ranges.iter_mut().map(upper).sum::<f64>()),
+                None => {
+                    let cuts = (CUTS / ranges.len().max(1)).max(FEWEST_CUTS);
+                    Some(ranges.iter_mut().map(|range| upper(range, cuts)).sum::<f64>())
+                }
             };
             let tail = widest.is_some() || scale.zip(largest).is_none_or(|(seen, largest)| seen < TAIL * largest);
             widest = largest;
@@ -231,13 +238,12 @@ fn size<R: Range>(range: &R) -> f64 {
     width / PLACES as f64 * sizes.filter(|size| size.is_finite()).sum::<f64>()
 }
 
-/// An approximate upper bound on the integral of the magnitude, from finite enclosures.
-fn upper<R: Range>(range: &mut R) -> f64 {
-    const CUTS: usize = 64;
+/// An approximate upper bound on the integral of the magnitude, from finite enclosures over equal parts.
+fn upper<R: Range>(range: &mut R, cuts: usize) -> f64 {
     let width = range.width();
-    let whole = |i: usize| width * i as f64 / CUTS as f64;
-    let mut open: Vec<Piece> = (0..CUTS).map(|i| Piece { from: whole(i), to: whole(i + 1), from_above: false }).collect();
-    let (mut total, mut left) = (f64::MIN_POSITIVE / f64::EPSILON, 4 * CUTS);
+    let whole = |i: usize| width * i as f64 / cuts as f64;
+    let mut open: Vec<Piece> = (0..cuts).map(|i| Piece { from: whole(i), to: whole(i + 1), from_above: false }).collect();
+    let (mut total, mut left) = (f64::MIN_POSITIVE / f64::EPSILON, 4 * cuts);
     while let Some(piece) = open.pop() {
         let size = (piece.to - piece.from) * range.largest(piece, 0.0);
         if size.is_finite() {
