@@ -38,7 +38,7 @@ pub(super) fn coordinates(quantity: Quantity) -> Vec<&'static str> {
 pub fn program(solution: &Solution, quantities: &[Quantity], language: Language, profile: &str) -> Result<Program, CodeError> {
     let solution = &with_acute_angles(solution);
     let symbols = solution.profile.parameters();
-    let forms = read::routines(FORMS).ok_or(CodeError::Forms)?;
+    let forms = FORMS.as_deref().ok_or(CodeError::Forms)?;
     let target = language.target();
     let mut taken: Vec<String> = ["x", "a", "r", "d", "E"].map(str::to_owned).to_vec();
     taken.extend(QUANTITIES.iter().flat_map(|own| [target.spelled(&routine_name(*own)), own.key().to_owned()]));
@@ -57,7 +57,7 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
     let build = |sums: &[(Quantity, Sum)]| {
         let (names, arguments, sums) = (names.clone(), arguments.clone(), sums.to_vec());
         let (dimensions, starting_values) = (dimensions.clone(), starting_values.clone());
-        let mut builder = Builder { solution, names, arguments, counter: 0, routines: Vec::new(), forms: forms.clone(), language, sums };
+        let mut builder = Builder { solution, names, arguments, counter: 0, routines: Vec::new(), forms, language, sums };
         for quantity in quantities {
             builder.quantity(*quantity)?;
         }
@@ -115,7 +115,7 @@ pub(super) struct Builder<'a> {
     pub(super) arguments: Vec<String>,
     pub(super) counter: usize,
     pub(super) routines: Vec<Routine>,
-    pub(super) forms: Vec<Routine>,
+    pub(super) forms: &'static [Routine],
     pub(super) language: Language,
     /// The quantities that are computed by sums where these converge fast.
     sums: Vec<(Quantity, Sum)>,

@@ -27,8 +27,14 @@ const REFUSED: f64 = 1e4;
 /// of the other program, which is then the better one.
 pub(super) fn claimed(mut program: Program, solution: &Solution, references: &References, other: Option<&Program>) -> Program {
     for quantity in program.quantities.clone() {
-        let begin = other.and_then(|own| Some(own.claims.iter().find(|(of, _)| *of == quantity)?.1?.worst_at));
-        let claim = of(&program, quantity, solution, references, begin, other.map_or(f64::INFINITY, Program::largest_claim));
+        let before = other.and_then(|own| Some((own, own.claims.iter().find(|(of, _)| *of == quantity)?.1)));
+        let claim = match before {
+            Some((other, claim)) if program.computes_alike(other, quantity) => claim,
+            _ => {
+                let begin = before.and_then(|(_, claim)| Some(claim?.worst_at));
+                of(&program, quantity, solution, references, begin, other.map_or(f64::INFINITY, Program::largest_claim))
+            }
+        };
         program.claims.push((quantity, claim));
         let lines = claim.map_or_else(Vec::new, |claim| text(&program, claim, quantity));
         if let Some(routine) = program.routines.iter_mut().find(|own| own.name == routine_name(quantity)) {

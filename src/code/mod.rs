@@ -20,13 +20,16 @@ mod summed;
 mod tree;
 mod truth;
 
+use std::sync::LazyLock;
+
 pub use build::program;
 pub use error::CodeError;
 pub use languages::write;
 pub use program::{Claim, Language, NamedShape, Program, QUANTITIES};
 
-/// The stable forms, and the special functions.
-const FORMS: &str = concat!(include_str!("forms.txt"), include_str!("special.txt"), include_str!("quadrature.txt"));
+/// The stable forms, and the special functions; `None` if their text cannot be read.
+static FORMS: LazyLock<Option<Vec<tree::Routine>>> =
+    LazyLock::new(|| read::routines(concat!(include_str!("forms.txt"), include_str!("special.txt"), include_str!("quadrature.txt"))));
 
 /// Private parts that tests in `tests/` look at; not part of the interface.
 #[doc(hidden)]

@@ -1,7 +1,7 @@
 //! The program of a profile: its routines, their parameters and claims.
 
 use super::build::ParameterDimension;
-use super::tree::Routine;
+use super::tree::{Routine, Statement};
 use crate::contact::{self, Quantity};
 
 /// The quantities for which code can be generated.
@@ -82,6 +82,23 @@ impl Program {
     /// Whether two programs have the same operations.
     pub(super) fn computes_as(&self, other: &Self) -> bool {
         self.routines.iter().map(|own| &own.body).eq(other.routines.iter().map(|own| &own.body))
+    }
+
+    /// Whether two programs compute a quantity with the same operations.
+    pub(super) fn computes_alike(&self, other: &Self, quantity: Quantity) -> bool {
+        self.operations_of(quantity).eq(&other.operations_of(quantity))
+    }
+
+    /// The routine of a quantity and those that it calls, with their names.
+    fn operations_of(&self, quantity: Quantity) -> Vec<(String, &[Statement])> {
+        let (mut open, mut found) = (vec![routine_name(quantity)], Vec::<(String, &[Statement])>::new());
+        while let Some(name) = open.pop() {
+            let routine = self.routines.iter().find(|own| own.name == name);
+            let Some(routine) = routine.filter(|_| found.iter().all(|own| own.0 != name)) else { continue };
+            open.extend(routine.calls());
+            found.push((name, &routine.body));
+        }
+        found
     }
 }
 

@@ -1,7 +1,8 @@
-//! Seconds per step for twenty-six kinds of work, or for those whose names contain the argument.
+//! Seconds per step for twenty-eight kinds of work, or for those whose names contain the argument.
 
 use rustix::time::{ClockId, clock_gettime};
-use sneddon::contact::{Contact, Indentation, Load, Setup, relations};
+use sneddon::code::{Language, program};
+use sneddon::contact::{Contact, Indentation, Load, Quantity, Setup, relations};
 use sneddon::expr::Bindings;
 use sneddon::num::work::{Budget, Exhausted, left, within};
 use sneddon::transform::{Evaluator, Method, Profile, Solution, check, derive, invert};
@@ -35,6 +36,12 @@ fn number(text: &str, method: Method, ask: fn(&Evaluator<'_>, f64) -> bool) -> B
     let evaluator = Evaluator::new(solution, &Bindings::default(), method, 1e-13).unwrap_or_else(|error| panic!("{text}: {error}"));
     let name = text.to_owned();
     Box::new(move |share| assert!(ask(&evaluator, share), "{name} at {share}"))
+}
+
+/// Generates a function, whose accuracy is measured with it.
+fn code(text: &'static str, quantity: Quantity) -> Box<dyn FnMut(f64)> {
+    let solution = solution(text);
+    Box::new(move |_| drop(program(&solution, &[quantity], Language::C, text)))
 }
 
 fn kinds() -> Vec<Kind> {
@@ -96,6 +103,8 @@ fn kinds() -> Vec<Kind> {
                 assert!(solved.is_ok());
             })
         }),
+        ("code, g", code("R-sqrt(R^2-r^2)", Quantity::Equivalent)),
+        ("code, sums for F", code("h*r/(w+r)", Quantity::Force)),
         ("check of 64 points", Box::new(move |_| drop(check(&with_values)))),
     ]
 }

@@ -12,10 +12,20 @@ const SMALL: f64 = 1e-4;
 ///
 /// A running bound takes the error of every operation as independent. Here an argument k·a that is rounded once, and occurs in
 /// two terms that depend on it with opposite signs, counts with their difference.
-#[derive(Default)]
-pub(super) struct Record<'a> {
+pub(super) struct Record {
+    /// The first one stands for all exact numbers.
     nodes: Vec<Node>,
-    places: HashMap<Key<'a>, usize, BuildHasherDefault<Folded>>,
+    /// The places of numbers without operands and of results.
+    places: HashMap<(u64, u64, u64), usize, BuildHasherDefault<Folded>>,
+}
+
+/// The place of numbers without an error.
+const EXACT: usize = 0;
+
+impl Default for Record {
+    fn default() -> Self {
+        Self { nodes: vec![Node::alone(0.0)], places: HashMap::default() }
+    }
 }
 
 /// A hash of a few words, which takes less time than the operation that is looked up.
@@ -29,12 +39,12 @@ impl Hasher for Folded {
     }
 
     fn write(&mut self, bytes: &[u8]) {
-        for part in bytes.chunks(8) {
-            let word = part.iter().rev().fold(0, |word, byte| (word << 8) | u64::from(*byte));
-            self.write_u64(word);
+        for byte in bytes {
+            self.write_u64(u64::from(*byte));
         }
     }
 
+    #[inline]
     fn write_u64(&mut self, word: u64) {
         self.0 = (self.0.rotate_left(5) ^ word).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     }
@@ -61,35 +71,60 @@ impl Node {
 /// The most operands of operations whose derivatives are known, and that are recognized when they occur again.
 const FEW: usize = 2;
 
-#[derive(PartialEq, Eq, Hash)]
-enum Key<'a> {
-    /// The bits of the value and of its error.
-    Leaf(u64, u64),
-    Operation(Operation<'a>, [usize; FEW]),
-}
-
 /// What is computed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug)]
 pub(super) enum Operation<'a> {
     Binary(Operator),
-    /// A function of the language or its library.
-    Call(&'a str),
+    /// A function of the language or its library, with a number for its name.
+    Call(&'a str, u64),
 }
 
-impl<'a> Record<'a> {
+impl<'a> Operation<'a> {
+    /// The function of this name.
+    pub(super) fn call(name: &'a str) -> Self {
+        let mut number = Folded::default();
+        number.write(name.as_bytes());
+        Self::Call(name, number.finish())
+    }
+
+    #[inline]
+    fn number(self) -> u64 {
+        match self {
+            Self::Binary(operator) => operator as u64,
+            Self::Call(_, number) => number,
+        }
+    }
+}
+
+impl Record {
+    /// Forgets all operations and keeps the memory.
+    pub(super) fn clear(&mut self) {
+        self.nodes.truncate(EXACT + 1);
+        self.places.clear();
+    }
+
     /// The place of a number that has no operands.
+    #[inline]
     pub(super) fn leaf(&mut self, own: Bounded) -> usize {
-        self.place(Key::Leaf(own.value.to_bits(), own.error.to_bits()), || Node::alone(own.error))
+        if own.error == 0.0 {
+            return EXACT;
+        }
+        let nodes = &mut self.nodes;
+        let key = (LEAF, own.value.to_bits(), own.error.to_bits());
+        *self.places.entry(key).or_insert_with(|| added(nodes, Node::alone(own.error)))
     }
 
     /// The place of a result with its running bound; `compute` gives the result of operands.
     pub(super) fn operation(
         &mut self,
-        operation: Operation<'a>,
+        operation: Operation<'_>,
         operands: &[(usize, Bounded)],
         result: Bounded,
         compute: impl Fn(&[Bounded]) -> Bounded,
     ) -> usize {
+        if result.error == 0.0 {
+            return EXACT;
+        }
         let node = || {
             let is_linear = matches!(operation, Operation::Binary(Operator::Add | Operator::Subtract));
             let mut close = operands.iter().map(|(_, own)| own.error <= SMALL * extent(operation, own.value));
@@ -112,25 +147,15 @@ impl<'a> Record<'a> {
                 _ => Node::alone(result.error),
             }
         };
-        let mut places = [usize::MAX; FEW];
-        if operands.len() > FEW {
-            self.nodes.push(node());
-            return self.nodes.len() - 1;
-        }
-        places.iter_mut().zip(operands).for_each(|(place, own)| *place = own.0);
-        if matches!(operation, Operation::Binary(Operator::Add | Operator::Multiply)) {
-            places.sort_unstable();
-        }
-        self.place(Key::Operation(operation, places), node)
-    }
-
-    fn place(&mut self, key: Key<'a>, node: impl FnOnce() -> Node) -> usize {
-        let next = self.nodes.len();
-        let place = *self.places.entry(key).or_insert(next);
-        if place == next {
-            self.nodes.push(node());
-        }
-        place
+        let (first, second) = match operands {
+            [one] => (word(*one), ABSENT),
+            [one, other] => (word(*one), word(*other)),
+            _ => return added(&mut self.nodes, node()),
+        };
+        let is_symmetric = matches!(operation, Operation::Binary(Operator::Add | Operator::Multiply));
+        let (first, second) = if is_symmetric && second < first { (second, first) } else { (first, second) };
+        let nodes = &mut self.nodes;
+        *self.places.entry((operation.number(), first, second)).or_insert_with(|| added(nodes, node()))
     }
 
     /// A bound on the error of a sum of results times factors; `None` if it overflows.
@@ -154,13 +179,31 @@ impl<'a> Record<'a> {
     }
 }
 
+/// The first word of the key of a number without operands, and the word of an operand that does not exist.
+const LEAF: u64 = u64::MAX;
+const ABSENT: u64 = u64::MAX;
+/// The bits of a NaN, which no operand is: they mark a place.
+const PLACE: u64 = 0xfff8 << 48;
+
+/// The word of an operand in a key: the bits of an exact number, else its place.
+#[inline]
+fn word((place, own): (usize, Bounded)) -> u64 {
+    if place == EXACT { own.value.to_bits() } else { PLACE | place as u64 }
+}
+
+/// Adds a node and returns its place.
+fn added(nodes: &mut Vec<Node>, node: Node) -> usize {
+    nodes.push(node);
+    nodes.len() - 1
+}
+
 /// The distance over which an operation is far from linear: that to a singularity, or over which the result grows several times.
 fn extent(operation: Operation<'_>, value: f64) -> f64 {
     let size = value.abs();
     match operation {
-        Operation::Call("sin" | "cos" | "tan" | "exp" | "expm1" | "sinh" | "cosh" | "tanh") => size.min(1.0),
-        Operation::Call("asin" | "acos" | "atanh") => size.min(1.0 - size),
-        Operation::Call("log1p") => size.min(1.0 + value),
+        Operation::Call("sin" | "cos" | "tan" | "exp" | "expm1" | "sinh" | "cosh" | "tanh", _) => size.min(1.0),
+        Operation::Call("asin" | "acos" | "atanh", _) => size.min(1.0 - size),
+        Operation::Call("log1p", _) => size.min(1.0 + value),
         _ => size,
     }
 }
@@ -179,12 +222,12 @@ fn derivatives(operation: Operation<'_>, operands: &[(usize, Bounded)], result: 
             Operator::Multiply => [b, a],
             Operator::Divide => [1.0 / b, -result / b],
         },
-        (Operation::Call("pow"), Some((b, error))) => [b * result / a, if error == 0.0 { 0.0 } else { result * a.ln() }],
-        (Operation::Call("atan2"), Some((b, _))) => {
+        (Operation::Call("pow", _), Some((b, error))) => [b * result / a, if error == 0.0 { 0.0 } else { result * a.ln() }],
+        (Operation::Call("atan2", _), Some((b, _))) => {
             let size = a.hypot(b);
             [b / size / size, -a / size / size]
         }
-        (Operation::Call(name), None) => {
+        (Operation::Call(name, _), None) => {
             let slope = match name {
                 "exp" => result,
                 "expm1" => result + 1.0,
