@@ -1,6 +1,6 @@
 //! The contact radius under a given force with a smooth edge: the root of F(a) = F.
 
-use super::radius::{Certain, NoRadius, Radii, overflow, root};
+use super::radius::{Certain, NoRadius, Radii, Span, near_axis, overflow, root};
 use super::{Contact, ContactError};
 use crate::num::Estimate;
 use crate::transform::{Quantities, Reading, TransformError};
@@ -44,11 +44,13 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
             Err(ContactError::Transform(other)) => Err(other),
             Err(_) => Err(TransformError::NotComputable { at: a }),
         };
-        let found =
-            root(&mut height, &|| None, &Radii::default(), force, start, self.evaluator().limit()).map_err(|error| match error {
-                ContactError::Unreachable { reason, .. } => unreachable(reason),
-                other => other,
-            })?;
+        // |F| ≤ 2 E* a max |g|, because r ≤ a.
+        let near = near_axis(self.evaluator(), start, |a, g| 2.0 * self.effective_modulus() * a * g * (1.0 + 4.0 * f64::EPSILON) < force);
+        let span = Span { near, start, limit: self.evaluator().limit() };
+        let found = root(&mut height, &|| None, &Radii::default(), force, span).map_err(|error| match error {
+            ContactError::Unreachable { reason, .. } => unreachable(reason),
+            other => other,
+        })?;
         let (a, Certain { reach, bound, .. }) =
             found.map_err(|(NoRadius::Proven(reason) | NoRadius::Unproven(reason))| unreachable(reason))?;
         Ok(Reading { estimate: Estimate { error: reach, evaluations, bound, way, ..Estimate::exact(a) }, method: "root" })

@@ -15,7 +15,8 @@ pub(super) struct Radii(Mutex<Seen>);
 #[derive(Clone, Default)]
 struct Seen {
     places: Vec<(f64, f64)>,
-    /// Index of the next radius to sample.
+    /// Indices of the first radius that was sampled, and of the next one.
+    first: usize,
     next: usize,
     /// Number of consecutive radii at which the error of g exceeded its value.
     lost: u32,
@@ -86,12 +87,35 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: 
         Err(other) => Err(other),
     };
     let stays_below = || unreachable::stays_below(evaluator, depth);
-    let found = root(&mut height, &stays_below, radii, depth, start, limit)?;
+    let near = near_axis(evaluator, start, |_, g| g < depth);
+    let found = root(&mut height, &stays_below, radii, depth, Span { near, start, limit })?;
     let (a, Certain { reach, bound, .. }) = found.map_err(|absence| match absence {
         NoRadius::Proven(reason) => ContactError::Unreachable { depth, reason },
         NoRadius::Unproven(reason) => ContactError::NotFound { depth, reason },
     })?;
     Ok(Reading { estimate: Estimate { error: reach, evaluations, bound, way, ..Estimate::exact(a) }, method: "root" })
+}
+
+/// The radii that a search covers.
+#[derive(Clone, Copy)]
+pub(super) struct Span {
+    /// The function is proven to stay below the value from the axis up to here; 0 if nothing is proven.
+    pub(super) near: f64,
+    /// The end of the flat part of the tip.
+    pub(super) start: f64,
+    /// The end of the profile.
+    pub(super) limit: f64,
+}
+
+/// The largest of the radii to sample up to which `is_below` holds for the radius and a bound on |g| there; 0 if there is none.
+pub(super) fn near_axis<P: Quantities + ?Sized>(shape: &P, start: f64, is_below: impl Fn(f64, f64) -> bool) -> f64 {
+    if start > 0.0 {
+        return 0.0;
+    }
+    let places = outward(start, shape.limit());
+    let kink = shape.breakpoints_below(f64::INFINITY).first().copied().unwrap_or(f64::INFINITY);
+    let is_proven = |a: &f64| *a <= kink && unreachable::bound_at_axis(shape, *a).is_some_and(|most| is_below(*a, most));
+    places.into_iter().take_while(is_proven).last().unwrap_or(0.0)
 }
 
 /// The infinity in place of a value that overflows.
@@ -116,14 +140,17 @@ pub(super) fn root(
     stays_below: &dyn Fn() -> Option<NoRadius>,
     radii: &Radii,
     target: f64,
-    start: f64,
-    limit: f64,
+    span: Span,
 ) -> Result<Result<(f64, Certain), NoRadius>, ContactError> {
+    let Span { start, limit, .. } = span;
     let mut with_digits = |a: f64| {
         let Estimate { value, error, .. } = height(a)?;
         if error > value.abs() { Err(TransformError::NoDigits { at: a, value, error }) } else { Ok(value) }
     };
-    let mut look = Look { height: &mut with_digits, stays_below, start, limit, places: outward(start, limit), refused: None };
+    let places = outward(start, limit);
+    // Two radii before the first one that counts show where g deviates from a power law.
+    let first = places.partition_point(|a| *a <= span.near).saturating_sub(3);
+    let mut look = Look { height: &mut with_digits, stays_below, start, limit, places, first, refused: None };
     let (lower, upper) = match look.bracket(radii, target)? {
         Ok(found) => found,
         Err(absence) => return Ok(Err(absence)),
@@ -187,6 +214,8 @@ struct Look<'a> {
     limit: f64,
     /// The radii to sample, in increasing order.
     places: Vec<f64>,
+    /// Index of the first radius to sample.
+    first: usize,
     /// The error of a method that has no value at some radius.
     refused: Option<TransformError>,
 }
@@ -221,6 +250,9 @@ impl Look<'_> {
         let begin = work::left();
         let mut asked = false;
         let mut seen = radii.0.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        if seen.next == 0 || self.first < seen.first {
+            seen = Seen { first: self.first, next: self.first, ..Seen::default() };
+        }
         let mut from = 0;
         let place = loop {
             if let Some(place) = seen.places.iter().skip(from).position(|(_, g)| *g >= depth) {
@@ -351,7 +383,7 @@ impl Look<'_> {
         let rest: Vec<f64> = self.places.iter().skip(seen.next).take(LEAP).copied().collect();
         let found = rest.into_iter().position(|a| self.value(a).is_ok_and(|g| g > seen.largest / NOTHING));
         let Some(steps) = found else { return false };
-        *seen = Seen { next: seen.next + steps, ..Seen::default() };
+        *seen = Seen { first: seen.first, next: seen.next + steps, ..Seen::default() };
         true
     }
 

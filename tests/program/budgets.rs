@@ -405,6 +405,20 @@ fn large_profiles_are_whole() {
         vec!["derive", "max(0,r-b)^160", "--json"],
         vec!["derive", &kinks(150), "--json"],
         vec!["eval", &kinks(419), "--quantity", "p", "--radius", "400", "--at", "10.5:390.5:20", "--json"],
+        // Contact radii, larger and smaller: next to the axis each g takes up to a second, and bounds on f′ show that no radius lies there.
+        vec![
+            "eval",
+            "(exp(r/w)-1-r/w)/(3+(2*(4-sqrt(16-r^2)))^2)*(0.6*r^0.5)",
+            "--set",
+            "w=0.4",
+            "--quantity",
+            "a",
+            "--at",
+            "0.3,30,1e-9",
+            "--json",
+            "--budget",
+            "1",
+        ],
         // On kinks, where the sign of an infinite pressure is that of the jump of f′.
         vec!["eval", &kinks(419), "--quantity", "p", "--radius", "400", "--at", "10:390:20", "--json"],
     ] {

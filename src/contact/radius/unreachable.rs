@@ -57,6 +57,14 @@ pub(in crate::contact) fn stays_below<P: Quantities + ?Sized>(shape: &P, depth: 
     })
 }
 
+/// A bound on |g| up to a radius that no breakpoint precedes; `None` if unknown.
+///
+/// Where |f′| ≤ M r^s, |g| ≤ (π/2) M x^(s+1) max(1, 1/(s + 1)), because sin t ≥ 2t/π.
+pub(super) fn bound_at_axis<P: Quantities + ?Sized>(shape: &P, radius: f64) -> Option<f64> {
+    let bound = |(s, most): (f64, f64)| FRAC_PI_2 * most * radius.powf(s + 1.0) * (1.0 / (s + 1.0)).max(1.0) * (1.0 + ROUNDING);
+    shape.power_at_axis(radius).map(bound)
+}
+
 /// Whether f′ no longer grows toward the end: g, which is infinite where f′ grows like 1/√δ, then changes by rounding in the last ulps.
 fn is_flat_at<P: Quantities + ?Sized>(shape: &P, limit: f64, last: f64) -> bool {
     let [far, near] = NEAR_END.map(|distance| limit * (1.0 - distance));
@@ -132,10 +140,8 @@ impl Cells {
     fn new<P: Quantities + ?Sized>(shape: &P, depth: f64, end: f64) -> Option<Self> {
         let kinks = shape.breakpoints_below(end);
         let mut first = kinks.first().copied().unwrap_or(end);
-        // Where |f′| ≤ M r^s, |g| ≤ (π/2) M x^(s+1) max(1, 1/(s + 1)), because sin t ≥ 2t/π.
         let most = loop {
-            let bound = |(s, most): (f64, f64)| FRAC_PI_2 * most * first.powf(s + 1.0) * (1.0 / (s + 1.0)).max(1.0) * (1.0 + ROUNDING);
-            if let Some(most) = shape.power_at_axis(first).map(bound).filter(|most| *most < AT_AXIS * depth) {
+            if let Some(most) = bound_at_axis(shape, first).filter(|most| *most < AT_AXIS * depth) {
                 break most;
             }
             first /= DECADE;
