@@ -28,8 +28,10 @@ const REFUSED: f64 = 1e4;
 pub(super) fn claimed(mut program: Program, solution: &Solution, references: &References, other: Option<&Program>) -> Program {
     for quantity in program.quantities.clone() {
         let before = other.and_then(|own| Some((own, own.claims.iter().find(|(of, _)| *of == quantity)?.1)));
-        let claim = match before {
-            Some((other, claim)) if program.computes_alike(other, quantity) => claim,
+        let of_g = program.claims.iter().find(|own| own.0 == Quantity::Equivalent && quantity == Quantity::Depth && program.depth_is_g());
+        let claim = match (before, of_g) {
+            (_, Some((_, claim))) => *claim,
+            (Some((other, claim)), _) if program.computes_alike(other, quantity) => claim,
             _ => {
                 let begin = before.and_then(|(_, claim)| Some(claim?.worst_at));
                 of(&program, quantity, solution, references, begin, other.map_or(f64::INFINITY, Program::largest_claim))

@@ -1,7 +1,7 @@
 //! The program of a profile: its routines, their parameters and claims.
 
 use super::build::ParameterDimension;
-use super::tree::{Routine, Statement};
+use super::tree::{Routine, Statement, Value};
 use crate::contact::{self, Quantity};
 
 /// The quantities for which code can be generated.
@@ -82,6 +82,13 @@ impl Program {
     /// Whether two programs have the same operations.
     pub(super) fn computes_as(&self, other: &Self) -> bool {
         self.routines.iter().map(|own| &own.body).eq(other.routines.iter().map(|own| &own.body))
+    }
+
+    /// Whether d(a) is g(a), without more operations.
+    pub(super) fn depth_is_g(&self) -> bool {
+        let (depth, g) = (routine_name(Quantity::Depth), routine_name(Quantity::Equivalent));
+        let body = self.routines.iter().find(|own| own.name == depth).map(|own| own.body.as_slice());
+        matches!(body, Some([Statement::Return(Value::Call(name, _))]) if *name == g)
     }
 
     /// Whether two programs compute a quantity with the same operations.
