@@ -427,7 +427,7 @@ impl NumericSegment {
                 None => Numbers::Tape(tape),
             })
         };
-        self.bend.get_or_init(|| work::unbroken(derive)).as_ref().ok_or(NO_BEND)
+        self.bend.get_or_init(|| work::prepared(derive)).as_ref().ok_or(NO_BEND)
     }
 
     /// (r f′)′ in r.
@@ -456,7 +456,7 @@ impl NumericSegment {
             let below = shifted(&self.bend_expression()?, end, &-Expr::from(rest.clone()));
             Tape::compile(&[below], &[rest]).ok().map(Numbers::Tape)
         };
-        self.falling.get_or_init(|| work::unbroken(derive)).as_ref()
+        self.falling.get_or_init(|| work::prepared(derive)).as_ref()
     }
 }
 

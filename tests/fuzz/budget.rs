@@ -156,6 +156,26 @@ fn an_evaluator_forgets_what_a_small_budget_cut_short() {
     }
 }
 
+/// Class "the answer depends on what was asked before": what a first call prepares for the later ones is no part of the work after which a
+/// way is given up. Each of these had another number at the second or third call; all were within their bounds.
+#[test]
+fn the_same_question_has_the_same_answer_again() {
+    let gate = "0.013*tanh(max(0.0,r-0.264)/0.865)+0.7*tanh(max(0,r-0.47)/1.1e-9)";
+    for (text, at, radius) in [
+        ("(1-e^(-(2*arctan(r/0.72)^2)^2))*r^0.7", 0.449_475_875_396_871, 1.2),
+        ("1 - exp(-(2.1*(cosh(r) - 1.0))^2)", 2.341_700_068_157_262, 2.927_125_085_196_577),
+        ("r^(5/2)/(1 + (r^(5/2))^2)*(2.97167*r^2)", 0.202_886_884_839_007, 0.65),
+        (&format!("0.2*(r/0.5)^10+{gate}"), 0.1457, 0.47),
+        ("0.2*(r/3)^10+0.013*max(0,r-0.485)+1.55*log(1+max(0,r-0.59)/7.59e-4)", 0.451, 0.59),
+    ] {
+        let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();
+        let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+        let asked = || (evaluator.equivalent(at), evaluator.force(at), evaluator.pressure(at, radius));
+        let first = asked();
+        assert!(first.0.is_ok() && (0..3).all(|_| asked() == first), "{text}: {first:?} {:?}", asked());
+    }
+}
+
 #[test]
 fn a_search_for_a_contact_ends_in_the_typed_error() {
     let solution = derive(&Profile::new(&parse::profile("1-cos(r)").unwrap()).unwrap()).unwrap();
@@ -383,8 +403,8 @@ fn the_work_grows_little_faster_than_the_profile() {
         // The product has n coefficients of up to n digits.
         ("factors", |n| repeated(n, "(r+I)", "*"), 1.4),
         ("binomials", |n| format!("(1+r)^{n}"), 1.5),
-        // The written form has n coefficients of n digits.
-        ("powers of a difference", |n| format!("max(0,r-b)^{n}"), 1.4),
+        // The written form has n coefficients of n digits, and its p is compared with an integral for both sizes.
+        ("powers of a difference", |n| format!("max(0,r-b)^{n}"), 1.45),
     ];
     for (name, family, power) in families {
         let steps = |n| counted(|| formulas(&family(n))).1 as f64;

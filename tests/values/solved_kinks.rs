@@ -1,6 +1,7 @@
 //! Kinks that solve with parameters, against the integral of f′ over the side that a bisection finds.
 
 use sneddon::expr::{Symbol, derivative};
+use sneddon::num::Bound;
 use sneddon::parse;
 use sneddon::print;
 use sneddon::transform::{Evaluator, Method};
@@ -115,4 +116,18 @@ fn a_worn_sphere_may_be_typed_with_the_height_that_is_missing() {
     let formula = |text: &str| print::text(&derived(text).equivalent_profile().formula);
     assert_eq!(formula("max(0,R-sqrt(R^2-r^2)-h)"), "piecewise(0, x < sqrt(2*h*R - h^2), x*atanh(sqrt(x^2 - 2*h*R + h^2)/(R - h)))");
     assert_eq!(formula("max(0,5-sqrt(25-r^2)-0.3)"), "piecewise(0, x < sqrt(291)/10, x*atanh(sqrt(100*x^2 - 291)/47))");
+}
+
+/// Class "a share of the work that is too small for ordinary input": the pressures of sixty kinks, each of which has a closed form.
+#[test]
+fn pressures_under_many_kinks_are_proven() {
+    let text: String = std::iter::once("r".to_owned()).chain((1..60).map(|i| format!("+abs(r-{i}/61)"))).collect();
+    let solution = derived(&text);
+    let ask = |method| Evaluator::new(&solution, &bindings(&[]), method, 1e-13).unwrap();
+    let (own, other) = (ask(Method::Auto), ask(Method::Quadrature));
+    for r in [0.1, 0.37, 0.7] {
+        let [own, other] = [&own, &other].map(|evaluator| evaluator.pressure(r, 0.9).unwrap().unwrap().estimate);
+        assert!(own.bound == Bound::Proven && own.error < 1e-11 * own.value.abs(), "{r}: {own:?}");
+        assert!((own.value - other.value).abs() <= own.error + other.error, "{r}: {own:?} {other:?}");
+    }
 }

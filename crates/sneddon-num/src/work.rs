@@ -53,6 +53,8 @@ struct Meter {
     /// The number of steps left plus one; 0 if more was spent than the budget has.
     left: Cell<u64>,
     limit: Cell<u64>,
+    /// The steps of [`prepared`] work in the open [`share`]; `None` outside a share.
+    kept: Cell<Option<u64>>,
     /// Set by another thread to end the work.
     stop: Cell<Option<&'static AtomicBool>>,
     /// Set by another thread to end what runs under [`until_deadline`].
@@ -63,7 +65,13 @@ const NONE: u64 = u64::MAX;
 
 thread_local! {
     static METER: Meter = const {
-        Meter { left: Cell::new(NONE), limit: Cell::new(NONE), stop: Cell::new(None), deadline: Cell::new(None) }
+        Meter {
+            left: Cell::new(NONE),
+            limit: Cell::new(NONE),
+            kept: Cell::new(None),
+            stop: Cell::new(None),
+            deadline: Cell::new(None),
+        }
     };
 }
 
@@ -80,7 +88,7 @@ thread_local! {
 /// assert_eq!(sum, Err(Exhausted { steps: 10 }));
 /// ```
 pub fn within<T, E: From<Exhausted>>(budget: Budget, work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
-    let opened = METER.with(|meter| meter.limit.get() == NONE).then(|| Restored::open(budget.0));
+    let opened = METER.with(|meter| meter.limit.get() == NONE).then(|| Restored::open(budget.0, None));
     let result = work();
     let outcome = check();
     drop(opened);
@@ -98,26 +106,43 @@ pub fn bounded<T, E: From<Exhausted>>(work: impl FnOnce() -> Result<T, E>) -> Re
 
 /// Runs an optional part of the work with at most `steps` of the remaining steps; `None` if they do not suffice.
 ///
-/// The steps of the part also count towards the open budget.
+/// The steps of the part also count towards the open budget. Those of [`prepared`] work count towards it alone, so that it does not
+/// depend on earlier calls whether the steps suffice.
+///
+/// ```
+/// use sneddon_num::work::{Budget, Exhausted, left, prepared, share, spend, within};
+/// let rest = within(Budget::steps(100), || {
+///     assert_eq!(share(10, || { prepared(|| spend(40)); spend(9) }), Some(()));
+///     Ok::<_, Exhausted>(left())
+/// });
+/// assert_eq!(rest, Ok(51));
+/// ```
 pub fn share<T>(steps: u64, work: impl FnOnce() -> T) -> Option<T> {
     if is_exhausted() {
         return None;
     }
     // The default budget applies if none is open.
     let most = if left() > NONE / 2 { Budget::DEFAULT.0 } else { left() };
-    let (result, spent, whole) = apart(steps.min(most), work);
+    let restored = Restored::open(steps.min(most), Some(0));
+    let result = work();
+    let (rest, whole) = (left(), !is_exhausted());
+    let kept = METER.with(|meter| meter.kept.get()).unwrap_or(0);
+    drop(restored);
+    let spent = steps.min(most).saturating_sub(rest);
     // Overdrawing the whole remainder exhausts the outer budget as well.
     spend(if whole || steps < most { spent } else { spent.saturating_add(1) });
+    keep(kept);
     (whole && !is_exhausted()).then_some(result)
 }
 
 /// Runs work with a separate count of steps; returns its result, its steps, and whether they sufficed.
 pub fn apart<T>(steps: u64, work: impl FnOnce() -> T) -> (T, u64, bool) {
-    let restored = Restored::open(steps);
+    let restored = Restored::open(steps, None);
+    let begin = left();
     let result = work();
     let (rest, whole) = (left(), !is_exhausted());
     drop(restored);
-    (result, steps.saturating_sub(rest), whole)
+    (result, begin.saturating_sub(rest), whole)
 }
 
 /// Runs work that ends as if its budget were exhausted once another thread sets `stop`.
@@ -187,6 +212,20 @@ pub fn unbroken<T>(work: impl FnOnce() -> T) -> T {
     result
 }
 
+/// As [`unbroken`], for small work that the first of several calls does for all of them: it does not count towards a [`share`].
+pub fn prepared<T>(work: impl FnOnce() -> T) -> T {
+    let (result, spent, _) = apart(NONE, || finished(work));
+    keep(spent);
+    result
+}
+
+fn keep(steps: u64) {
+    METER.with(|meter| match meter.kept.get() {
+        Some(kept) => meter.kept.set(Some(kept.saturating_add(steps))),
+        None => spend(steps),
+    });
+}
+
 /// Runs work that is done once for the whole process, without counting it towards any budget.
 pub fn uncounted<T>(work: impl FnOnce() -> T) -> T {
     apart(NONE, || finished(work)).0
@@ -253,11 +292,16 @@ pub fn exhausted() -> Exhausted {
 struct Restored {
     left: u64,
     limit: u64,
+    kept: Option<u64>,
 }
 
 impl Restored {
-    fn open(steps: u64) -> Self {
-        METER.with(|meter| Self { left: meter.left.replace(steps.saturating_add(1)), limit: meter.limit.replace(steps) })
+    fn open(steps: u64, kept: Option<u64>) -> Self {
+        METER.with(|meter| Self {
+            left: meter.left.replace(steps.saturating_add(1)),
+            limit: meter.limit.replace(steps),
+            kept: meter.kept.replace(kept),
+        })
     }
 }
 
@@ -266,6 +310,7 @@ impl Drop for Restored {
         METER.with(|meter| {
             meter.left.set(self.left);
             meter.limit.set(self.limit);
+            meter.kept.set(self.kept);
         });
     }
 }

@@ -21,7 +21,7 @@ impl Evaluator<'_> {
     /// Where double precision leaves the sum of the closed terms too few digits, all of them are evaluated with 30.
     ///
     /// Special functions may need many thousand terms at some arguments, and the terms that stay open may cancel where the formula
-    /// that was typed does not: with method `auto` each may take about a millisecond before the integral of the formula as typed is
+    /// that was typed does not: with method `auto` each may take one or two milliseconds before the integral of the formula as typed is
     /// tried instead. Where that misses the tolerance, closed forms may take half a second. Open terms may take a tenth of a second,
     /// and only where the integral is also less accurate than [`SCANT`].
     pub(crate) fn combine(&self, quantity: Superposed, ask: Ask) -> Answer {
@@ -87,7 +87,8 @@ impl Evaluator<'_> {
                 {
                     return Ok(own);
                 }
-                let found = in_time(Abandoned::OpenTerms, abandoned, OPEN_STEPS, || self.integrate(&part.open, ask));
+                let most = OPEN_STEPS.min(OPEN_STEPS_OF_ALL / self.chains.len().max(1) as u64);
+                let found = in_time(Abandoned::OpenTerms, abandoned, most, || self.integrate(&part.open, ask));
                 let Some(found) = found else { return Ok(None) };
                 let found = match found {
                     Ok(Some(found)) => found,
@@ -216,8 +217,11 @@ const CLOSED_FORM_STEPS: u64 = 100_000;
 const CLOSED_FORM_STEPS_30_DIGITS: u64 = 400_000;
 /// Steps, about half a second, for a closed form or for the integral of the recognised f′ if quadrature has missed the tolerance.
 const STEPS_AFTER_QUADRATURE: u64 = 50_000_000;
-/// Steps, about half a millisecond, after which the integral of the open terms is abandoned in favour of the formula as typed.
-const OPEN_STEPS: u64 = 50_000;
+/// Steps, about two milliseconds, after which the integral of the open terms of one chain is abandoned in favour of the formula as
+/// typed, …
+const OPEN_STEPS: u64 = 200_000;
+/// … and their sum for all chains, to which dozens of kinks add up.
+const OPEN_STEPS_OF_ALL: u64 = 10_000_000;
 /// The same if the formula as typed has missed the tolerance.
 const OPEN_STEPS_AFTER_QUADRATURE: u64 = 10_000_000;
 

@@ -39,7 +39,7 @@ impl NumericSegment {
     /// f′ over δ for enclosures; `None` if f′ is not an expression.
     fn enclosing(&self) -> Option<&Tape> {
         let tape = self.enclosing.get_or_init(|| {
-            work::unbroken(|| {
+            work::prepared(|| {
                 let ((f_prime, lower), delta) = (self.source.as_ref()?, Symbol::new("δ"));
                 Tape::for_enclosures(&[shifted(f_prime, lower, &Expr::from(delta.clone()))], &[delta]).ok()
             })
@@ -80,7 +80,7 @@ impl NumericSegment {
     /// The leading power s > −1 of f′ at its lower end, and h = f′/δ^s for enclosures; `None` if unknown.
     pub(crate) fn leading_power(&self) -> Option<&LeadingPower> {
         let power = self.power.get_or_init(|| {
-            work::unbroken(|| {
+            work::prepared(|| {
                 let (f_prime, lower) = self.source.as_ref()?;
                 leading_power(f_prime, lower)
             })
@@ -91,7 +91,7 @@ impl NumericSegment {
     /// The same for (r f′)′.
     pub(crate) fn leading_power_of_bend(&self) -> Option<&LeadingPower> {
         let power = self.bend_power.get_or_init(|| {
-            work::unbroken(|| {
+            work::prepared(|| {
                 let (_, lower) = self.source.as_ref()?;
                 leading_power(&self.bend_source()?, lower)
             })
@@ -102,7 +102,7 @@ impl NumericSegment {
     /// (r f′)′ over δ for enclosures.
     fn enclosing_bend(&self) -> Option<&Tape> {
         let tape = self.bend_enclosing.get_or_init(|| {
-            work::unbroken(|| {
+            work::prepared(|| {
                 let ((_, lower), delta) = (self.source.as_ref()?, Symbol::new("δ"));
                 Tape::for_enclosures(&[shifted(&self.bend_source()?, lower, &Expr::from(delta.clone()))], &[delta]).ok()
             })

@@ -40,13 +40,13 @@ impl Limit {
     /// f′ over the distance to the limit for enclosures.
     pub(crate) fn enclosing(&self) -> Option<&Tape> {
         let compile = || Tape::for_enclosures(std::slice::from_ref(&self.source), &[Symbol::new("δ")]).ok();
-        self.enclosing.get_or_init(|| work::unbroken(compile)).as_ref()
+        self.enclosing.get_or_init(|| work::prepared(compile)).as_ref()
     }
 
     /// Whether f′ changes over lengths of the size of the distance to the end only, from `lower` on: it is analytic around every
     /// piece between two powers of two of the distance, or around parts of the piece, and not much larger there than on it.
     pub fn is_featureless(&self, lower: f64) -> bool {
-        *self.featureless.get_or_init(|| work::unbroken(|| self.has_no_feature(self.value.value - lower)))
+        *self.featureless.get_or_init(|| work::prepared(|| self.has_no_feature(self.value.value - lower)))
     }
 
     fn has_no_feature(&self, reach: f64) -> bool {
