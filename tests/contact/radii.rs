@@ -155,6 +155,21 @@ fn that_no_radius_reaches_a_depth_is_proven() {
     }
 }
 
+/// Class "a verdict that depends on the unit": whether a proof succeeds next to a maximum of g, 1.1688761319519… here.
+#[test]
+fn the_unit_of_length_decides_no_proof() {
+    let text = "[s]*(1-1/cosh(r/[s]))";
+    for depth in [1.168_876_131_951_948, 1.1689, 1.17, 1.3] {
+        let is_proven = |unit: f64| match radius(text, unit, depth * unit) {
+            Err(ContactError::Unreachable { .. }) => true,
+            Err(ContactError::NotFound { .. }) => false,
+            other => panic!("{depth} in units of {unit:e}: {other:?}"),
+        };
+        let expected = is_proven(1.0);
+        assert!([1e-9, 1e-6, 1e-3, 1e3, 2f64.powi(-20)].into_iter().all(|unit| is_proven(unit) == expected), "{depth}: {expected}");
+    }
+}
+
 /// Class "none without a proof": where g grows without limit toward the end, radii that lie between the last floats are not denied. The
 /// radii exist: at π/2 − ε, g tends to (π/2) √(π/ε) for −ln(cos r) and grows faster for tan(r); it is x artanh x for the sphere, and xK(x).
 #[test]

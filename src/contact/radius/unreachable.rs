@@ -139,7 +139,10 @@ impl Cells {
     /// Ranges from the axis to this end; `None` if f′ has no bounds in one of them.
     fn new<P: Quantities + ?Sized>(shape: &P, depth: f64, end: f64) -> Option<Self> {
         let kinks = shape.breakpoints_below(end);
-        let mut first = kinks.first().copied().unwrap_or(end);
+        // Multiples of the depth divide an endless profile in the same way in every unit of length.
+        let farthest = Some(depth * DECADE.powf((end / depth).log10().floor()));
+        let farthest = farthest.filter(|own| own.is_normal() && *own <= end && shape.limit().is_infinite());
+        let mut first = kinks.first().copied().or(farthest).unwrap_or(end);
         let most = loop {
             if let Some(most) = bound_at_axis(shape, first).filter(|most| *most < AT_AXIS * depth) {
                 break most;
