@@ -12,7 +12,7 @@ use operations::{Known, binary};
 use resolved::{Accumulation, Code, Condition, Resolved, Step};
 
 /// Steps of work for an operation, and for one that is recorded.
-const PLAIN_OPERATION: u64 = 3;
+const PLAIN_OPERATION: u64 = 4;
 const RECORDED: u64 = 6;
 /// The most operations of one run.
 const MOST_STEPS: usize = 400_000;

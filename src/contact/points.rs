@@ -15,6 +15,8 @@ const HEADROOM: u64 = 4;
 const EXPENSIVE: u64 = 100_000_000;
 /// Fewest pressures for which an expansion is considered.
 const MANY: usize = 20;
+/// The most kinks for which an expansion is considered: its work grows with their square.
+const MOST_KINKS: usize = 32;
 /// Parts of the contact radius at which the cost of a pressure is measured.
 const TYPICAL: [f64; 2] = [0.37, 0.61];
 /// Relative error above which a pressure of the expansion is computed anew.
@@ -36,6 +38,9 @@ impl<'a, P: Quantities + ?Sized> Contact<'a, P> {
     /// The decision depends on counted steps and not on the budget, so that a budget changes no answer.
     pub(crate) fn are_expensive(&self, a: f64, count: usize) -> bool {
         if count < MANY || a.is_nan() || a <= 0.0 || !self.evaluator().has_pressure_curve() {
+            return false;
+        }
+        if self.evaluator().breakpoints_below(a).len() > MOST_KINKS {
             return false;
         }
         // Beyond that cost, any list that is long enough is expensive.

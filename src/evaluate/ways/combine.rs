@@ -87,7 +87,7 @@ impl Evaluator<'_> {
                 {
                     return Ok(own);
                 }
-                let most = OPEN_STEPS.min(OPEN_STEPS_OF_ALL / self.chains.len().max(1) as u64);
+                let most = if self.chains.len() > MOST_CHAINS { 0 } else { OPEN_STEPS };
                 let found = in_time(Abandoned::OpenTerms, abandoned, most, || self.integrate(&part.open, ask));
                 let Some(found) = found else { return Ok(None) };
                 let found = match found {
@@ -217,12 +217,11 @@ const CLOSED_FORM_STEPS: u64 = 100_000;
 const CLOSED_FORM_STEPS_30_DIGITS: u64 = 400_000;
 /// Steps, about half a second, for a closed form or for the integral of the recognised f′ if quadrature has missed the tolerance.
 const STEPS_AFTER_QUADRATURE: u64 = 50_000_000;
-/// Steps, about two milliseconds, after which the integral of the open terms of one chain is abandoned in favour of the formula as
-/// typed, …
+/// Steps, about two milliseconds, after which the integral of the open terms of a chain is abandoned in favour of the formula as typed, …
 const OPEN_STEPS: u64 = 200_000;
-/// … and their sum for all chains, to which dozens of kinks add up.
-const OPEN_STEPS_OF_ALL: u64 = 10_000_000;
-/// The same if the formula as typed has missed the tolerance.
+/// … and the most chains of which this is tried, because all of them add up.
+const MOST_CHAINS: usize = 64;
+/// The steps for the open terms if the formula as typed has missed the tolerance.
 const OPEN_STEPS_AFTER_QUADRATURE: u64 = 10_000_000;
 
 /// What was abandoned because it takes long.

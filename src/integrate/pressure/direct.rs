@@ -7,7 +7,7 @@ use crate::integrate::integral::{MOST, NumericProfile, NumericSegment, reached, 
 use crate::integrate::source::endpoint::Endpoint;
 use crate::integrate::source::f_prime::{Numbers, Scratch};
 use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
-use crate::num::{Bounded, Estimate, special};
+use crate::num::{Bounded, Estimate, special, work};
 
 impl NumericProfile {
     /// ∫_s^a g′(x)/√(x²−s²) dx, which is p(s)·π/E* under a smooth edge: by the terms of f′ or by values of g′ if one smooth
@@ -209,6 +209,7 @@ impl NumericSegment {
         let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
             let (mut deltas, mut doubts, mut values, mut errors) = ([0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST]);
             let count = points.len().min(MOST);
+            work::spend(KERNEL * count as u64);
             for ((point, delta), doubt) in points.iter().zip(&mut deltas).zip(&mut doubts) {
                 // Every distance is a sum of terms of the same sign.
                 *delta = (lower.to(from) + point.from_lower).max(f64::MIN_POSITIVE);
@@ -262,6 +263,9 @@ pub(crate) fn kernel_at(b: Endpoint, s: f64, a: f64) -> Bounded {
     let moved = b.doubt * (1.0 / sum / gap + size / b.at + size / rest) * (1.0 + 16.0 * f64::EPSILON);
     Bounded { value: kernel.value, error: kernel.error + moved }
 }
+
+/// Steps of a kernel.
+pub(crate) const KERNEL: u64 = 18;
 
 /// K(r, s) = ∫_M^a dx/√((x²−r²)(x²−s²)), M = max(r, s), m = min(r, s), D = M² − m².
 ///

@@ -3,7 +3,7 @@
 use crate::integrate::abel::over_root::{EndDistances, Weighted, proven_sum_over_roots};
 use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range};
 use crate::integrate::integral::{NumericProfile, NumericSegment};
-use crate::integrate::pressure::direct::{Distances, kernel};
+use crate::integrate::pressure::direct::{Distances, KERNEL, kernel};
 use crate::integrate::source::endpoint::Endpoint;
 use crate::integrate::source::f_prime::{Numbers, Scratch};
 use crate::integrate::source::leading_power::LeadingPower;
@@ -12,9 +12,7 @@ use crate::num::{Bounded, Estimate, Region, work};
 
 /// The largest N for which integrals are taken over the N-th root of the radius; for 10 they take up to six times the work.
 const MOST_ROOT: i32 = 4;
-/// Steps of a kernel at a node, …
-const KERNEL: u64 = 18;
-/// … and of a bound on it over a piece.
+/// Steps of a bound on a kernel over a piece.
 const ENCLOSED_KERNEL: u64 = 45;
 
 impl NumericProfile {
