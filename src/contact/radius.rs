@@ -18,6 +18,8 @@ struct Seen {
     /// Indices of the first radius that was sampled, and of the next one.
     first: usize,
     next: usize,
+    /// The smallest depth for which the samples begin early enough.
+    smallest: f64,
     /// Number of consecutive radii at which the error of g exceeded its value.
     lost: u32,
     /// The largest g so far, and the number of radii sampled since then.
@@ -87,8 +89,8 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: 
         Err(other) => Err(other),
     };
     let stays_below = || unreachable::stays_below(evaluator, depth);
-    let near = near_axis(evaluator, start, |_, g| g < depth);
-    let found = root(&mut height, &stays_below, radii, depth, Span { near, start, limit })?;
+    let near = || near_axis(evaluator, start, |_, g| g < depth);
+    let found = root(&mut height, &stays_below, radii, depth, Span { near: &near, start, limit })?;
     let (a, Certain { reach, bound, .. }) = found.map_err(|absence| match absence {
         NoRadius::Proven(reason) => ContactError::Unreachable { depth, reason },
         NoRadius::Unproven(reason) => ContactError::NotFound { depth, reason },
@@ -97,10 +99,9 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: 
 }
 
 /// The radii that a search covers.
-#[derive(Clone, Copy)]
-pub(super) struct Span {
-    /// The function is proven to stay below the value from the axis up to here; 0 if nothing is proven.
-    pub(super) near: f64,
+pub(super) struct Span<'a> {
+    /// Returns a radius up to which the function is proven to stay below the value, or 0.
+    pub(super) near: &'a dyn Fn() -> f64,
     /// The end of the flat part of the tip.
     pub(super) start: f64,
     /// The end of the profile.
@@ -140,17 +141,15 @@ pub(super) fn root(
     stays_below: &dyn Fn() -> Option<NoRadius>,
     radii: &Radii,
     target: f64,
-    span: Span,
+    span: Span<'_>,
 ) -> Result<Result<(f64, Certain), NoRadius>, ContactError> {
-    let Span { start, limit, .. } = span;
+    let Span { near, start, limit } = span;
     let mut with_digits = |a: f64| {
         let Estimate { value, error, .. } = height(a)?;
         if error > value.abs() { Err(TransformError::NoDigits { at: a, value, error }) } else { Ok(value) }
     };
     let places = outward(start, limit);
-    // Two radii before the first one that counts show where g deviates from a power law.
-    let first = places.partition_point(|a| *a <= span.near).saturating_sub(3);
-    let mut look = Look { height: &mut with_digits, stays_below, start, limit, places, first, refused: None };
+    let mut look = Look { height: &mut with_digits, stays_below, near, start, limit, places, refused: None };
     let (lower, upper) = match look.bracket(radii, target)? {
         Ok(found) => found,
         Err(absence) => return Ok(Err(absence)),
@@ -210,12 +209,12 @@ pub(super) fn certain(
 struct Look<'a> {
     height: &'a mut dyn FnMut(f64) -> Result<f64, TransformError>,
     stays_below: &'a dyn Fn() -> Option<NoRadius>,
+    /// See [`Span`].
+    near: &'a dyn Fn() -> f64,
     start: f64,
     limit: f64,
     /// The radii to sample, in increasing order.
     places: Vec<f64>,
-    /// Index of the first radius to sample.
-    first: usize,
     /// The error of a method that has no value at some radius.
     refused: Option<TransformError>,
 }
@@ -250,8 +249,14 @@ impl Look<'_> {
         let begin = work::left();
         let mut asked = false;
         let mut seen = radii.0.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        if seen.next == 0 || self.first < seen.first {
-            seen = Seen { first: self.first, next: self.first, ..Seen::default() };
+        if seen.next == 0 || depth < seen.smallest {
+            let near = (self.near)();
+            // The two radii before the first one that counts show where g deviates from a power law.
+            let first = self.places.partition_point(|a| *a <= near).saturating_sub(3);
+            if seen.next == 0 || first < seen.first {
+                seen = Seen { first, next: first, ..Seen::default() };
+            }
+            seen.smallest = depth;
         }
         let mut from = 0;
         let place = loop {
@@ -383,7 +388,7 @@ impl Look<'_> {
         let rest: Vec<f64> = self.places.iter().skip(seen.next).take(LEAP).copied().collect();
         let found = rest.into_iter().position(|a| self.value(a).is_ok_and(|g| g > seen.largest / NOTHING));
         let Some(steps) = found else { return false };
-        *seen = Seen { first: seen.first, next: seen.next + steps, ..Seen::default() };
+        *seen = Seen { first: seen.first, next: seen.next + steps, smallest: seen.smallest, ..Seen::default() };
         true
     }
 

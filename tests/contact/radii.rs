@@ -155,9 +155,9 @@ fn that_no_radius_reaches_a_depth_is_proven() {
     }
 }
 
-/// Class "a verdict that depends on the unit": whether a proof succeeds next to a maximum of g, 1.1688761319519… here.
+/// Class "a verdict that depends on the unit". The depths lie close above the maximum of g, which is 1.1688761319519….
 #[test]
-fn the_unit_of_length_decides_no_proof() {
+fn proofs_do_not_depend_on_the_unit_of_length() {
     let text = "[s]*(1-1/cosh(r/[s]))";
     for depth in [1.168_876_131_951_948, 1.1689, 1.17, 1.3] {
         let is_proven = |unit: f64| match radius(text, unit, depth * unit) {

@@ -156,16 +156,18 @@ fn an_evaluator_forgets_what_a_small_budget_cut_short() {
     }
 }
 
-/// Class "the answer depends on what was asked before": what a first call prepares for the later ones is no part of the work after which a
-/// way is given up. Each of these had another number at the second or third call; all were within their bounds.
+/// Class "the answer depends on earlier calls".
+///
+/// Work that the first call prepares for later calls does not count toward the limit of a method. Before, the second or third call
+/// returned different last digits for each of these profiles.
 #[test]
-fn the_same_question_has_the_same_answer_again() {
-    let gate = "0.013*tanh(max(0.0,r-0.264)/0.865)+0.7*tanh(max(0,r-0.47)/1.1e-9)";
+fn repeated_calls_return_the_same_number() {
+    let steps = "0.013*tanh(max(0.0,r-0.264)/0.865)+0.7*tanh(max(0,r-0.47)/1.1e-9)";
     for (text, at, radius) in [
         ("(1-e^(-(2*arctan(r/0.72)^2)^2))*r^0.7", 0.449_475_875_396_871, 1.2),
         ("1 - exp(-(2.1*(cosh(r) - 1.0))^2)", 2.341_700_068_157_262, 2.927_125_085_196_577),
         ("r^(5/2)/(1 + (r^(5/2))^2)*(2.97167*r^2)", 0.202_886_884_839_007, 0.65),
-        (&format!("0.2*(r/0.5)^10+{gate}"), 0.1457, 0.47),
+        (&format!("0.2*(r/0.5)^10+{steps}"), 0.1457, 0.47),
         ("0.2*(r/3)^10+0.013*max(0,r-0.485)+1.55*log(1+max(0,r-0.59)/7.59e-4)", 0.451, 0.59),
     ] {
         let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();

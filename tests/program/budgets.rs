@@ -405,7 +405,7 @@ fn large_profiles_are_whole() {
         vec!["derive", "max(0,r-b)^160", "--json"],
         vec!["derive", &kinks(150), "--json"],
         vec!["eval", &kinks(419), "--quantity", "p", "--radius", "400", "--at", "10.5:390.5:20", "--json"],
-        // Contact radii, larger and smaller: next to the axis each g takes up to a second, and bounds on f′ show that no radius lies there.
+        // A single g next to the axis takes up to a second. Bounds on f′ prove that none of these contact radii lies there.
         vec![
             "eval",
             "(exp(r/w)-1-r/w)/(3+(2*(4-sqrt(16-r^2)))^2)*(0.6*r^0.5)",
@@ -419,7 +419,7 @@ fn large_profiles_are_whole() {
             "--budget",
             "1",
         ],
-        // On kinks, where the sign of an infinite pressure is that of the jump of f′.
+        // Every point is a kink, where the infinite pressure has the sign of the jump of f′.
         vec!["eval", &kinks(419), "--quantity", "p", "--radius", "400", "--at", "10:390:20", "--json"],
     ] {
         let done = Command::new(env!("CARGO_BIN_EXE_sneddon")).args(&words).output().unwrap();

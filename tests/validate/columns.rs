@@ -116,8 +116,8 @@ fn the_axis_of_a_fine_lattice_is_found() {
     }
 }
 
-/// Radii far below any pixel, where a curve of pressures needs quadrature: p(r) differs from p(0) by a multiple of r² ln r for
-/// one tip, and is infinite as −ln r on the axis for the other.
+/// Compares pressures at radii far below a pixel. Near the axis, p(r) − p(0) is a multiple of r² ln r for the first tip, and p(r) grows
+/// like −ln r for the second.
 #[test]
 fn pressures_next_to_the_axis_are_compared() {
     let place = room("next");

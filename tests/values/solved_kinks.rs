@@ -118,7 +118,7 @@ fn a_worn_sphere_may_be_typed_with_the_height_that_is_missing() {
     assert_eq!(formula("max(0,5-sqrt(25-r^2)-0.3)"), "piecewise(0, x < sqrt(291)/10, x*atanh(sqrt(100*x^2 - 291)/47))");
 }
 
-/// Class "a share of the work that is too small for ordinary input": the pressures of sixty kinks, each of which has a closed form.
+/// Class "a limit that is too small for ordinary input": under sixty kinks, the pressure of each kink is an integral.
 #[test]
 fn pressures_under_many_kinks_are_proven() {
     let text: String = std::iter::once("r".to_owned()).chain((1..60).map(|i| format!("+abs(r-{i}/61)"))).collect();

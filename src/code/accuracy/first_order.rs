@@ -13,13 +13,13 @@ const SMALL: f64 = 1e-4;
 /// A running bound takes the error of every operation as independent. Here an argument k·a that is rounded once, and occurs in
 /// two terms that depend on it with opposite signs, counts with their difference.
 pub(super) struct Record {
-    /// The first one stands for all exact numbers.
+    /// Node 0 represents every exact number.
     nodes: Vec<Node>,
     /// The places of numbers without operands and of results.
     places: HashMap<(u64, u64, u64), usize, BuildHasherDefault<Folded>>,
 }
 
-/// The place of numbers without an error.
+/// The index of the node of exact numbers.
 const EXACT: usize = 0;
 
 impl Default for Record {

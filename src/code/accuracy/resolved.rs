@@ -39,7 +39,7 @@ pub(super) enum Code<'a> {
     /// A routine by its index.
     Routine(usize, Vec<Code<'a>>),
     Known(Operation<'a>, Known, Vec<Code<'a>>),
-    /// A name that nothing has.
+    /// A name that is not defined.
     Unknown,
 }
 
