@@ -307,6 +307,43 @@ fn quadrature_knows_the_rounding_of_its_breakpoints() {
     assert!(error <= found.error && found.error < 1e-13, "{found:?}");
 }
 
+/// Class "one bound on the rounding for all x of a sixteenth of an octave": where the piece begins within that sixteenth, the error of
+/// its beginning was left out, and the bounds at 1e-12 were a hundred times smaller than the error.
+#[test]
+fn quadrature_next_to_a_kink_covers_its_error_at_every_tolerance() {
+    let mut compared = 0;
+    for (text, kink) in [
+        ("max(0,r-3/4*cos(2*101/256))^2", 0.528_383_221_830_431),
+        ("max(0,r-sqrt(2)/3)^2*(1+r)", 0.471_404_520_791_031_7),
+        ("max(0,r-ln(3))^3", 1.098_612_288_668_109_8),
+        ("max(0,r-7*tan(1/3))^2+r^2", 2.423_774_436_672_768),
+    ] {
+        let own = solution(text);
+        let closed = Evaluator::new(&own, &Bindings::default(), Method::Exact, 1e-13).unwrap();
+        for tolerance in [1e-6, 1e-9, 1e-11, 1e-12, 1e-13] {
+            let quadrature = Evaluator::new(&own, &Bindings::default(), Method::Quadrature, tolerance).unwrap();
+            for power in 2..=20 {
+                let x = kink * (1.0 + 0.3_f64.powi(power));
+                let pairs = [(closed.equivalent(x), quadrature.equivalent(x)), (closed.force(x), quadrature.force(x))];
+                for (closed, found) in pairs {
+                    let (Ok(closed), Ok(found)) = (closed, found) else { continue };
+                    let (closed, found) = (closed.estimate, found.estimate);
+                    compared += 1;
+                    let error = (closed.value - found.value).abs();
+                    assert!(error <= closed.error + found.error, "{text} at {x:e} with {tolerance:e}: {closed:?}, {found:?}");
+                }
+            }
+        }
+    }
+    assert!(compared > 600, "{compared}");
+    // mpmath, 40 digits.
+    let own = solution("max(0,r-3/4*cos(2*101/256))^2");
+    let found =
+        Evaluator::new(&own, &Bindings::default(), Method::Quadrature, 1e-12).unwrap().equivalent(0.5291157718372688).unwrap().estimate;
+    let error = Decimal::read("0.00002719662871468226826970444232183902453478").distance(found.value).abs();
+    assert!(error <= found.error && found.error < 1e-12 * found.value, "{found:?}");
+}
+
 /// A kink that was located numerically leaves no formula exact.
 #[test]
 fn located_kinks_are_not_called_exact() {

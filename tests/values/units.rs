@@ -59,6 +59,15 @@ fn kinks_are_found_in_every_unit() {
     assert!(answered >= cases(60, 257), "{answered}");
 }
 
+/// Class "signs next to the axis are read at r = 1e-9": a sphere of 10 pm in metres was said not to be real there.
+#[test]
+fn arguments_are_positive_next_to_the_axis_in_every_unit() {
+    let powers = [-900, -330, -100, -40, 40, 100, 330];
+    let texts = ["(2*r-r^2)^(1/2)", "acos(1-r)-(2*r-r^2)^(1/2)", "(r-r^3)^(1/3)", "ln(1+r-r^2)", "(r-r^2)^(3/4)"];
+    let answered: usize = texts.iter().step_by(cases(2, 1)).map(|text| agree(text, &powers, 0.3)).sum();
+    assert!(answered >= cases(60, 100), "{answered}");
+}
+
 /// Class "the argument of a logarithm leaves the range of doubles on its way": ln(1 + r²/s²) was 0 with a bound of 0.99.
 #[test]
 fn arguments_beyond_the_range_of_doubles_are_charged() {

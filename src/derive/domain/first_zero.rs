@@ -23,6 +23,8 @@ const FEWEST: usize = 4;
 const PLACES: u32 = 24;
 /// The relative distance from the lower end at which the sign is read, …
 const NEAR: f64 = 1e-9;
+/// … the radii for that next to the axis, where nothing tells the scale of lengths: the first with a certain sign counts, …
+const NEXT_TO_THE_AXIS: [f64; 8] = [1e-290, 1e-200, 1e-120, 1e-80, 1e-40, 1e-25, 1e-15, NEAR];
 /// … and that beyond a zero, where a double zero must stand out of the rounding.
 const BEYOND: f64 = 1e-4;
 
@@ -45,7 +47,11 @@ fn starts(expr: &Expr, lower: &Expr) -> Vec<(Bindings, f64, bool)> {
     let sets = sets.map(|(index, set)| if index % 2 == 1 { cubed(set) } else { set });
     let start = |set: Bindings| {
         let low = number(lower, &set)?;
-        let sign = certain_sign_at(expr, &set, low + NEAR * if low > 0.0 { low } else { 1.0 })?;
+        let sign = if low > 0.0 {
+            certain_sign_at(expr, &set, low + NEAR * low)
+        } else {
+            NEXT_TO_THE_AXIS.iter().find_map(|r| certain_sign_at(expr, &set, *r))
+        }?;
         Some((set, low, sign > 0.0))
     };
     sets.into_iter().filter_map(start).collect()

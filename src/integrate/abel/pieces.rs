@@ -199,8 +199,8 @@ pub(crate) fn proven_sum<R: Range>(ranges: &mut [R], more: Bounded, tolerance: f
         trials += u32::from(size > FAR_BELOW * last);
         scale = Some(if size < 0.5 * last { size } else { 0.1 * last }).filter(|scale| scale.is_normal());
     }
-    // Accept a value of 0 if its bound contains only underflow: each piece may add the smallest normal number.
-    let nothing = MOST_ENCLOSURES as f64 * f64::MIN_POSITIVE;
+    // Accept a value of 0 if its bound contains only underflow.
+    let nothing = MOST_ENCLOSURES as f64 * Bounded::VANISHED;
     Ok(best.filter(|own| own.error <= ROUGH * own.value.abs() || (own.value == 0.0 && own.error < nothing)))
 }
 

@@ -212,9 +212,11 @@ impl NumericSegment {
 
     /// The absolute and relative rounding error of the mean for x between two values; infinite if unknown.
     fn noise(&self, known: Known, (low, high): (f64, f64), weight: Weight) -> (f64, f64) {
-        // The range is empty if x is the lower end of the piece.
-        let ends = if low > self.lower.value { [low, high] } else { [f64::NAN; 2] };
-        let found = ends.map(|x| self.noise_at(known, x, weight).unwrap_or((f64::NAN, f64::NAN)));
+        // Towards the lower end of the piece, the relative error grows without limit.
+        if low <= self.lower.value {
+            return (f64::INFINITY, f64::INFINITY);
+        }
+        let found = [low, high].map(|x| self.noise_at(known, x, weight).unwrap_or((f64::NAN, f64::NAN)));
         let [(one, small), (other, large)] = found;
         let noise = WITHIN * one.max(other);
         let share = noise / small.min(large);

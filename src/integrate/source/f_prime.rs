@@ -164,9 +164,12 @@ pub(crate) fn rescue_block(tape: &Tape, deltas: &[f64], doubts: &[f64], values: 
     }
 }
 
+/// The largest error of a value that only underflowed: [`Bounded::VANISHED`] times factors up to 1e21.
+const UNDERFLOW: f64 = 1e21 * Bounded::VANISHED;
+
 /// Returns true if the value overflowed on its way; the reciprocal of an overflow is 0 with an error.
 fn is_lost(own: Bounded) -> bool {
-    !own.is_finite() || (own.value == 0.0 && own.error > f64::MIN_POSITIVE)
+    !own.is_finite() || (own.value == 0.0 && own.error > UNDERFLOW)
 }
 
 impl Numbers {

@@ -243,6 +243,13 @@ fn split_power(a: Bounded, nearest: f64, rest: Bounded) -> Quick {
     Quick { value, error, comfortable: inside & (half_ulp(value) >= COMFORTABLE) & (error <= f64::MAX) }
 }
 
+/// A value that vanished by underflow with at least [`Bounded::VANISHED`] as its error.
+#[inline(always)]
+fn lifted(own: Bounded) -> Bounded {
+    let vanished = own.value == 0.0 && own.error > 0.0;
+    Bounded { value: own.value, error: if vanished { own.error.max(Bounded::VANISHED) } else { own.error } }
+}
+
 /// One operand: `quick` everywhere, `slow` where that is not comfortable.
 #[inline(always)]
 fn one(a: Values<'_>, to: To<'_>, quick: impl Fn(Bounded) -> Quick, slow: impl Fn(Bounded) -> Bounded) {
@@ -265,7 +272,7 @@ fn one(a: Values<'_>, to: To<'_>, quick: impl Fn(Bounded) -> Quick, slow: impl F
         for (((value, error), to_value), to_error) in a.values.iter().zip(a.errors).zip(to.values).zip(to.errors) {
             let a = Bounded { value: *value, error: *error };
             if !quick(a).comfortable {
-                let found = slow(a);
+                let found = lifted(slow(a));
                 (*to_value, *to_error) = (found.value, found.error);
             }
         }
@@ -291,7 +298,7 @@ fn two(a: Values<'_>, b: Values<'_>, to: To<'_>, quick: impl Fn(Bounded, Bounded
         for (((a, b), to_value), to_error) in operands.zip(to.values).zip(to.errors) {
             let (a, b) = (Bounded { value: *a.0, error: *a.1 }, Bounded { value: *b.0, error: *b.1 });
             if !quick(a, b).comfortable {
-                let found = slow(a, b);
+                let found = lifted(slow(a, b));
                 (*to_value, *to_error) = (found.value, found.error);
             }
         }
@@ -315,7 +322,7 @@ fn charge(a: Each<'_>, to: To<'_>, ulps: f64, slow: impl Fn(Bounded) -> Bounded)
     if odd {
         for (((value, error), to_value), to_error) in a.values.iter().zip(a.errors).zip(to.values).zip(to.errors) {
             if to_error.is_nan() {
-                let found = slow(Bounded { value: *value, error: *error });
+                let found = lifted(slow(Bounded { value: *value, error: *error }));
                 (*to_value, *to_error) = (found.value, found.error);
             }
         }
