@@ -1,7 +1,9 @@
 //! Parses lists of points: numbers, linear ranges and logarithmic ranges.
 
 use super::Failure;
+use super::failure::warn;
 use super::units::Units;
+use crate::contact::{Measured, Reason};
 use crate::scene::{Dimension, Loads, Steps};
 
 /// Maximum number of points.
@@ -52,5 +54,14 @@ fn counted(text: &str, already: usize) -> Result<usize, String> {
         0 => Err("a range of 0 points is empty".to_owned()),
         count if count.saturating_add(already) > MOST => Err(format!("{count} points are too many; the limit is {MOST}")),
         count => Ok(count),
+    }
+}
+
+/// Warns of points that have no value, except where the value is infinite in theory.
+pub(super) fn warn_of_missing_values(readings: &[Measured]) {
+    let missing =
+        || readings.iter().filter_map(|own| own.as_ref().err()).filter(|own| matches!(own, Reason::Refused(_) | Reason::Unfinished));
+    if let Some(first) = missing().next() {
+        warn(&format!("{} of {} points have no value: {}", missing().count(), readings.len(), first.text()));
     }
 }

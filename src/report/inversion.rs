@@ -3,11 +3,11 @@
 use super::Unchecked;
 use super::json::{Check, Completion, Quantity, Readings, Step, Typeset, write};
 use super::record::rounding;
-use super::text::{error, number, table};
-use crate::contact;
+use super::text::{row, table};
+use crate::contact::{self, Measured, Reason};
 use crate::expr::{Bindings, Condition, Expr, Formula};
 use crate::print::{self, Notation, Presentation, Prose};
-use crate::transform::{self, Derived, Reading, TransformError};
+use crate::transform::{self, Derived, TransformError};
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -27,8 +27,8 @@ pub struct Inversion<'a> {
     pub check: Result<transform::Check, Unchecked>,
     /// The radii at which f was requested.
     pub at: Vec<f64>,
-    /// f at these radii.
-    pub readings: Vec<Reading>,
+    /// f at these radii, or the reason why it has no value there.
+    pub readings: Vec<Measured>,
 }
 
 /// A pressure.
@@ -42,6 +42,12 @@ pub struct Wanted<'a> {
 }
 
 impl Inversion<'_> {
+    /// Returns the reason why the result is incomplete; `None` if it is complete.
+    pub fn why(&self) -> Option<&'static str> {
+        let is_cut = || self.readings.iter().any(|own| matches!(own, Err(Reason::Unfinished)));
+        Unchecked::why(&self.check).or_else(|| is_cut().then(|| Reason::Unfinished.text()))
+    }
+
     /// Returns notes about the formulas.
     pub(super) fn notes(&self, presentation: &Presentation) -> Vec<Prose> {
         let zero = if self.at_axis.is_zero() { "" } else { "; it shifts the shape and does not affect the contact" };
@@ -98,14 +104,7 @@ pub fn readings(record: &Inversion<'_>, out: &mut dyn Write) -> io::Result<()> {
         return Ok(());
     }
     writeln!(out)?;
-    let rows = || {
-        record
-            .at
-            .iter()
-            .zip(&record.readings)
-            .map(|(at, reading)| [number(*at), number(reading.estimate.value), error(&reading.estimate), reading.method.to_owned()])
-    };
-    table(&["r", "f", "error", "method"], rows, out)
+    table(&["r", "f", "error", "method"], || record.at.iter().zip(&record.readings).map(row), out)
 }
 
 /// Writes one JSON document.
@@ -142,7 +141,7 @@ pub fn json(record: &Inversion<'_>, steps: Option<&[contact::Step]>, presentatio
         p: wanted.map(|own| typeset(own.pressure)),
         d: wanted.map(|own| typeset(own.depth)),
         force: wanted.map(|own| typeset(own.force)),
-        complete: Completion(Unchecked::why(&record.check)),
+        complete: Completion(record.why()),
         g: Typeset::of(&presentation.formula(record.equivalent)),
         f: Quantity::presented(&record.profile, presentation),
         at_axis: typeset(record.at_axis),

@@ -317,12 +317,12 @@ impl<'a> Check<'a> {
 /// Returns readings of a quantity that is never infinite.
 pub(super) struct Readings<'a> {
     pub(super) at: &'a [f64],
-    pub(super) readings: &'a [Reading],
+    pub(super) readings: &'a [Measured],
 }
 
 impl Serialize for Readings<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.at.iter().zip(self.readings).map(|(at, reading)| Point::of(*at, reading)))
+        serializer.collect_seq(self.at.iter().zip(self.readings).map(|(at, reading)| Point::new(*at, reading)))
     }
 }
 

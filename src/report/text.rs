@@ -1,6 +1,7 @@
 //! Records as plain text, made to be read in a terminal.
 
 use super::{Compared, Evaluation, Unchecked};
+use crate::contact::Measured;
 use crate::num::{Bound, Estimate};
 use crate::print;
 use crate::transform::{Check, Reading, Rule, Verdict};
@@ -33,16 +34,7 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
     let titled = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") };
     let (coordinate, quantity) = (titled(record.coordinate, &units.at), titled(symbol, &units.value));
     let header = [coordinate.as_str(), quantity.as_str(), "error", "method"];
-    let rows = || {
-        record.at.iter().zip(&record.readings).map(|(at, reading)| match reading {
-            Ok(reading) => {
-                let estimate = reading.estimate;
-                [number(*at), number(estimate.value), error(&estimate), reading.method.to_owned()]
-            }
-            Err(reason) => [number(*at), "-".to_owned(), "-".to_owned(), reason.text().to_owned()],
-        })
-    };
-    table(&header, rows, out)?;
+    table(&header, || record.at.iter().zip(&record.readings).map(row), out)?;
     let asked = record.ways.iter().flatten();
     record.at.iter().zip(&record.readings).zip(asked).try_for_each(|((at, reading), asked)| {
         write!(out, "\nWays to {} at {} = {}", symbols(record.quantity).0, record.coordinate, with_unit(*at, &units.at))?;
@@ -173,6 +165,14 @@ pub(super) fn marked(error: String, bound: Bound) -> String {
 }
 
 /// Writes rows under a header, every column as wide as its widest entry.
+/// Returns the row of a point: its coordinate, and the value with its error and method or the reason why there is none.
+pub(super) fn row((at, reading): (&f64, &Measured)) -> [String; 4] {
+    match reading {
+        Ok(own) => [number(*at), number(own.estimate.value), error(&own.estimate), own.method.to_owned()],
+        Err(reason) => [number(*at), "-".to_owned(), "-".to_owned(), reason.text().to_owned()],
+    }
+}
+
 pub(super) fn table<const N: usize, I: Iterator<Item = [String; N]>>(
     header: &[&str; N],
     rows: impl Fn() -> I,

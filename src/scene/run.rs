@@ -21,6 +21,8 @@ pub struct Run<'a> {
     work: Cell<Work>,
     /// True if the work budget was exhausted in a row or a point.
     cut: Cell<bool>,
+    /// The steps of the open budget that are kept for writing the answer.
+    reserve: Cell<u64>,
     watch: Option<Box<dyn Fn() + 'a>>,
     /// The last state whose points were computed, and its errors.
     pub(super) doubt: Cell<Option<(State, Option<Estimates>)>>,
@@ -33,6 +35,8 @@ pub struct Run<'a> {
     expansion: RefCell<Option<(State, Option<Arc<PressureCurve<'static>>>)>>,
 }
 
+/// Divisor of the budget: one part of this many is kept for writing the answer.
+const FOR_THE_ANSWER: u64 = 16;
 /// The message when the work budget is exhausted.
 const UNFINISHED: &str = "stopped at the work limit";
 
@@ -83,6 +87,7 @@ impl<'a> Run<'a> {
             second,
             work: Cell::default(),
             cut: Cell::default(),
+            reserve: Cell::new(u64::MAX),
             watch: None,
             doubt: Cell::default(),
             tip: OnceCell::new(),
@@ -180,15 +185,24 @@ impl<'a> Run<'a> {
         Some((value, load))
     }
 
+    /// Runs one part of a row with half of the remaining budget, so that a hard row leaves work for the following rows and for writing.
+    fn part<T>(&self, work: impl FnOnce() -> T) -> Option<T> {
+        let left = work::left();
+        if left < self.reserve.get() {
+            // A budget was opened since the last row.
+            self.reserve.set(left / FOR_THE_ANSWER);
+        }
+        let most = (left - self.reserve.get()) / 2;
+        let found = work::until_deadline(|| work::share(most, work));
+        self.cut.set(self.cut.get() || found.is_none());
+        found
+    }
+
     fn solved(&self, index: usize) -> Option<(f64, Indented)> {
         let (value, load) = self.load(index)?;
         self.count(|asked| asked.loads += 1);
-        // Use at most half of the remaining budget, so that a hard row leaves work for the following rows.
-        let solved = work::part(|| self.indentation.solve(load).unwrap_or_else(|error| not_computable(&error)));
-        let mut indented = solved.unwrap_or_else(|| {
-            self.cut.set(true);
-            unfinished()
-        });
+        let solved = self.part(|| self.indentation.solve(load).unwrap_or_else(|error| not_computable(&error)));
+        let mut indented = solved.unwrap_or_else(unfinished);
         self.told();
         let within = |last: f64| matches!(load, Load::Radius(own) if own <= last) || self.scene.rim.is_some();
         if let (Some(end), Some(tip)) = (self.tip_ends_at(), self.scene.tip.as_ref().filter(|tip| !within(tip.last_radius()))) {
@@ -211,12 +225,13 @@ impl<'a> Run<'a> {
         for datum in &self.scene.outputs.data {
             let own = match indented.state {
                 None => Err("no contact exists for this load"),
-                Some(state) => match self.datum(*datum, &state, &mut computed) {
-                    Ok(own) => own.map(|own| own * system.out(datum.dimension())),
-                    Err(error) => {
+                Some(state) => match self.part(|| self.datum(*datum, &state, &mut computed)) {
+                    Some(Ok(own)) => own.map(|own| own * system.out(datum.dimension())),
+                    Some(Err(error)) => {
                         indented.findings.extend(not_computable(&error).findings);
                         Err("it cannot be computed")
                     }
+                    None => Err(UNFINISHED),
                 },
             };
             let pressed = indented.state.is_some_and(|state| state.boundary != Boundary::Apart && state.depth > 0.0);
@@ -225,7 +240,7 @@ impl<'a> Run<'a> {
         let touch = self.indentation.first_touch();
         let length = system.out(Dimension::LENGTH);
         let depth_from_touch = indented.state.filter(|_| touch != 0.0).map(|state| (state.depth - touch) * length);
-        let regime = indented.state.as_ref().filter(|_| indented.is_valid()).and_then(|state| self.regime(state));
+        let regime = indented.state.as_ref().filter(|_| indented.is_valid()).and_then(|state| self.part(|| self.regime(state))?);
         Some(Row { load: self.shown_load(index, load), indented, depth_from_touch, values, computed, regime })
     }
 
@@ -236,7 +251,7 @@ impl<'a> Run<'a> {
         let found = row.indented.state.and_then(|state| Some((self.bounds(index, &state)?, state)));
         let own = |(datum, value): &(Quantity, Result<f64, &'static str>)| {
             let (own, state) = found.filter(|_| value.is_ok())?;
-            let estimate = self.estimate(*datum, row, &state, &own)?.scaled(self.scene.system.out(datum.dimension()));
+            let estimate = self.part(|| self.estimate(*datum, row, &state, &own))??.scaled(self.scene.system.out(datum.dimension()));
             estimate.error.is_finite().then_some(estimate)
         };
         row.values.iter().map(|each| (each.0, own(each))).collect()
@@ -265,10 +280,7 @@ impl<'a> Run<'a> {
             }
             Some(own)
         };
-        work::part(bound).unwrap_or_else(|| {
-            self.cut.set(true);
-            None
-        })
+        self.part(bound)?
     }
 
     fn estimate(&self, datum: Quantity, row: &Row, state: &State, own: &Estimates) -> Option<Estimate> {

@@ -371,6 +371,22 @@ fn points_keep_their_values_where_others_have_none() {
     }
 }
 
+/// The same for inverted profiles: radii beyond the end of the profile.
+#[test]
+fn inverted_profiles_keep_their_values_where_other_radii_have_none() {
+    for (equivalent, list, values) in
+        [("x^2/(1-x)", "0.5,2", [true, false]), ("tan(x)", "2,1", [false, true]), ("x*atanh(x/3)", "2.5,3.5", [true, false])]
+    {
+        let list = answer(&format!("invert {equivalent} --at {list} --json"), 3.0, 9999);
+        let document: Value = serde_json::from_str(&list.text).unwrap();
+        let points = document["points"].as_array().unwrap();
+        assert_eq!(points.iter().map(|own| own["value"].is_f64()).collect::<Vec<_>>(), values, "{equivalent}: {document}");
+        assert!(list.code == 0 && points.iter().all(|own| own["value"].is_f64() != own["why"].is_string()), "{equivalent}: {document}");
+        // Without any value, the reason of the first point is the error.
+        assert_eq!(answer(&format!("invert {equivalent} --at 7 --json"), 3.0, 9999).code, 2, "{equivalent}");
+    }
+}
+
 /// Class "ordinary profiles are not refused": loads without a valid contact took so much work that pictures were cut, and so did the strain
 /// energies that no picture of F, a and p shows.
 #[test]
@@ -531,4 +547,55 @@ fn a_scene_that_was_cut_short_says_so() {
     assert!(document["rows"].as_array().unwrap().iter().all(|row| row["valid"] == true || is_open(row)), "{document}");
     let document = partial(&["reference", "scene.toml", "--grid", "0:1:40"], "loads");
     assert!(document["complete"] == false && document["why"].is_string(), "{document}");
+}
+
+/// Class "finished work is thrown away": rows that were solved are kept where the budget does not suffice for later rows, for an energy or
+/// for an error. Energies under a dozen kinks take nearly all of the work.
+#[test]
+fn rows_keep_their_values_where_others_have_none() {
+    let place = place(9400);
+    let kinks = (1..=12).map(|i| format!("+max(0,r-0.{i:02})^2")).collect::<String>();
+    let scene = format!(
+        "[profile]\nf = \"r^2{kinks}\"\n[material]\neffective_modulus = 1\n[load]\ndepth = {{ start = 0.01, stop = 1, count = 20 }}\n\
+         [outputs]\nquantities = [\"d\", \"F\", \"a\", \"U\"]\n"
+    );
+    fs::write(place.join("scene.toml"), scene).unwrap();
+    let asked = |budget: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_sneddon"));
+        let done = command.args(["solve", "scene.toml", "--json", "--budget", budget]).current_dir(&place).output().unwrap();
+        (done.status.code(), serde_json::from_slice::<Value>(&done.stdout).unwrap())
+    };
+    let rows = |own: &Value| own["rows"].as_array().unwrap().clone();
+    let (code, whole) = asked("5");
+    assert!(code == Some(0) && rows(&whole).iter().all(|row| row["U"].is_f64()), "{whole}");
+    let (code, part) = asked("0.05");
+    assert!(code == Some(1) && part["complete"] == false && part["why"].is_string(), "{part}");
+    let (mut energies, mut missing) = (0, 0);
+    for (all, some) in rows(&whole).iter().zip(rows(&part)) {
+        for quantity in ["F", "a", "U"] {
+            assert!(some[quantity].is_null() || some[quantity] == all[quantity], "{quantity}: {some} instead of {all}");
+        }
+        energies += usize::from(some["U"].is_f64());
+        missing += usize::from(some["U"].is_null());
+    }
+    assert!(energies > 0 && missing > 0, "{energies} energies, {missing} missing");
+}
+
+/// Class "a cut check exits with 0": a page of a scene whose formulas could not be compared within the budget.
+#[test]
+fn a_page_whose_check_was_cut_says_so() {
+    let place = place(9500);
+    let scene = "[profile]\nf = \"C*r^n\"\nparameters = { C = 1.2, n = 1.7 }\n[material]\neffective_modulus = 1\n[load]\ndepth = 0.1\n";
+    fs::write(place.join("scene.toml"), scene).unwrap();
+    let asked = |budget: f64| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_sneddon"));
+        command.args(["solve", "scene.toml", "-o", "page.html", "--budget", &format!("{budget:e}")]).current_dir(&place);
+        let done = command.output().unwrap();
+        let page = fs::read_to_string(place.join("page.html")).unwrap_or_default();
+        (done.status.code(), page.contains("the work limit was reached"))
+    };
+    let answers: Vec<_> = (0..28).map(|step| asked(1e-3 * 1.25_f64.powi(step))).collect();
+    assert!(answers.last() == Some(&(Some(0), false)), "{answers:?}");
+    assert!(answers.iter().any(|(_, is_cut)| *is_cut), "{answers:?}");
+    assert!(answers.iter().all(|(code, is_cut)| !(*code == Some(0) && *is_cut)), "{answers:?}");
 }

@@ -3,13 +3,33 @@
 use super::double_double::two_sum;
 
 /// The binary exponent `e` of `x = m 2^e`, `1 <= |m| < 2`; 0 for zero, infinities and NaN.
+#[inline]
 pub fn exponent(x: f64) -> i32 {
-    if x == 0.0 || !x.is_finite() { 0 } else { libm::ilogb(x) }
+    match biased(x) {
+        0 if x != 0.0 => libm::ilogb(x),
+        0 | INFINITE => 0,
+        own => own as i32 - 1023,
+    }
 }
 
 /// `x 2^e`; exact unless the result over- or underflows.
+#[inline]
 pub fn ldexp(x: f64, e: i64) -> f64 {
+    let own = biased(x);
+    // Between normal numbers, only the exponent bits change.
+    if own != 0 && own != INFINITE && (1..INFINITE).contains(&own.saturating_add(e)) {
+        return f64::from_bits(x.to_bits().wrapping_add_signed(e << 52));
+    }
     libm::scalbn(x, e.clamp(-6000, 6000) as i32)
+}
+
+/// The exponent bits of infinities and NaN.
+const INFINITE: i64 = 0x7ff;
+
+/// The exponent bits.
+#[inline]
+fn biased(x: f64) -> i64 {
+    (x.to_bits() >> 52) as i64 & INFINITE
 }
 
 /// `sqrt((a - b)(a + b))` for `0 <= b <= a`, without overflow or underflow between; at most 1.25 ulp.
@@ -94,6 +114,19 @@ impl Total {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Scaling by the bits of the exponent is what the library does, at both ends of the range of doubles as well.
+    #[test]
+    fn powers_of_two_scale_as_the_library_does() {
+        let mut numbers = vec![0.0, -0.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN, f64::MAX, f64::MIN_POSITIVE, f64::from_bits(1)];
+        numbers.extend((-1070..1023).step_by(7).flat_map(|power| [1.37, -1.0].map(|own| libm::scalbn(own, power))));
+        for x in numbers {
+            assert_eq!(exponent(x), if x == 0.0 || !x.is_finite() { 0 } else { libm::ilogb(x) }, "{x:e}");
+            for e in [-5000, -2100, -1075, -1022, -400, -1, 0, 1, 31, 1023, 1024, 2046, 2100, 5000] {
+                assert_eq!(ldexp(x, e).to_bits(), libm::scalbn(x, e as i32).to_bits(), "{x:e} {e}");
+            }
+        }
+    }
 
     /// ln((r + x)/(r − x))/2 with 30 digits, of x from next to nothing to next to r.
     #[test]

@@ -15,6 +15,7 @@ const FAMILIES: &[Family] = &[
     ("numeric pieces", pieces, &[12, 25, 50, 100]),
     ("nested roots", |n| (0..n).fold("1+r^2".to_owned(), |inner, _| format!("1+sqrt({inner})")), &[8, 16, 32, 64]),
     ("nested sines", |n| (0..n).fold("r^2".to_owned(), |inner, _| format!("sin({inner})")), &[8, 16, 32, 64]),
+    ("nested fractions", |n| (0..n).fold("r".to_owned(), |inner, _| format!("r^2/(1+{inner})")), &[8, 16, 32, 64]),
     ("factors r+i", |n| joined(n, "*", |i| format!("(r+{i})")), &[10, 20, 40, 80]),
     ("(1+r)^n", |n| format!("(1+r)^{n}"), &[20, 40, 80, 160]),
     ("max(0,r-b)^n", |n| format!("max(0,r-b)^{n}"), &[20, 40, 80, 160]),

@@ -5,7 +5,7 @@ use crate::cli::output::{Destination, Tabular};
 use crate::cli::precision::PrecisionArguments;
 use crate::cli::quantities::Quantities;
 use crate::cli::{Failure, Outcome, budget, curve, input, points, series};
-use crate::contact::{self, Asked, Contact, ContactError, Explained, Measured, Quantity, Reason};
+use crate::contact::{self, Asked, Contact, ContactError, Explained, Measured, Quantity};
 use crate::eval::constant_value;
 use crate::expr::Bindings;
 use crate::num::{Estimate, work};
@@ -248,7 +248,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Tabular::Csv => report::text::evaluation_as_csv(&record, out),
         Tabular::Text => report::text::evaluation(&record, out),
     })?;
-    warn_of_missing_values(&record.readings);
+    points::warn_of_missing_values(&record.readings);
     if record.is_cut() {
         return Ok(Outcome::Failed);
     }
@@ -302,15 +302,6 @@ fn warn_of_invalid_contact(quantity: Quantity, readings: &[Measured]) {
     let negative = readings.iter().flatten().any(|reading| reading.estimate.value < -reading.estimate.error);
     if telling && negative {
         warn(&format!("{} is negative at some points: no valid contact; the values of the formula follow", quantity.key()));
-    }
-}
-
-/// Warns of points that have no value, except where the value is infinite in theory.
-fn warn_of_missing_values(readings: &[Measured]) {
-    let missing =
-        || readings.iter().filter_map(|own| own.as_ref().err()).filter(|own| matches!(own, Reason::Refused(_) | Reason::Unfinished));
-    if let Some(first) = missing().next() {
-        warn(&format!("{} of {} points have no value: {}", missing().count(), readings.len(), first.text()));
     }
 }
 

@@ -4,7 +4,7 @@ use crate::cli::output::{Destination, Formats};
 use crate::cli::typesetting::{ENDINGS, Format, Steps, TypesettingArguments};
 use crate::cli::units::Units;
 use crate::cli::{Failure, Outcome, budget, input, points};
-use crate::contact::{inverse_steps, short_inverse_steps};
+use crate::contact::{ContactError, each_point, inverse_steps, short_inverse_steps, with_reasons};
 use crate::expr::{Bindings, Expr, Formula};
 use crate::parse;
 use crate::report::page::Page;
@@ -75,9 +75,11 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if !at.is_empty() {
         let (_, bound) = asked.solved(&settings.rounded()).or_else(|_| asked.solved(&settings.exact()))?;
         let numbers = InverseNumbers::new(&bound, &Bindings::default(), Method::Auto, TOLERANCE).map_err(|error| asked.failure(&error))?;
-        for r in &at {
-            readings.push(numbers.value(*r).map_err(|error| asked.failure(&error))?);
-        }
+        let of_block = |block: &[f64]| block.iter().map(|r| numbers.value(*r).map(Ok).map_err(ContactError::from)).collect();
+        readings = with_reasons(each_point(&at, usize::MAX, of_block)).map_err(|error| match error {
+            ContactError::Transform(error) => asked.failure(&error),
+            other => Failure::new(other.to_string()),
+        })?;
     }
     let pressure = asked.pressure.as_ref().map(|own| {
         let set = settings.exact();
@@ -110,7 +112,9 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         whole.write(page, style, out)?;
         if matches!(format, Format::Text | Format::Unicode) { inversion::readings(&record, out) } else { Ok(()) }
     })?;
-    Ok(budget::judged(&record.check))
+    points::warn_of_missing_values(&record.readings);
+    let outcome = budget::judged(&record.check);
+    Ok(if record.why().is_some() { Outcome::Failed } else { outcome })
 }
 
 /// The requested inversion: of g as typed, or of the g that belongs to a pressure.

@@ -12,7 +12,7 @@ use crate::report::picture::Pictured;
 use crate::report::solved::html;
 use crate::report::solved::html::Sheet;
 use crate::report::solved::{json as solved_json, npz as solved_npz, text as solved_text};
-use crate::report::{Derivation, Verdict};
+use crate::report::{Derivation, Unchecked, Verdict};
 use crate::scene::{self, Run, SceneError};
 use crate::transform;
 use std::fs::File;
@@ -90,14 +90,18 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let progress = Progress::new(run.steps(), answer.is_stdout());
     budget::allow(run.steps(), STEPS_PER_ROW);
     let run = run.watched(|| progress.step());
-    let mut verdict = Verdict::default();
+    let (mut verdict, mut unchecked) = (Verdict::default(), None);
     answer.write(|format, out| {
         verdict = match format {
             Format::Json => solved_json::solved(&run, arguments.force, out)?,
             Format::Csv => solved_text::csv(&run, arguments.force, digits, out)?,
             Format::Npz => solved_npz::npz(&run, arguments.force, out)?,
             Format::Text => solved_text::table(&run, arguments.force, digits, out)?,
-            Format::Html => page(&file_name(&arguments.scene), &text, &run, arguments.force, out)?,
+            Format::Html => {
+                let own;
+                (own, unchecked) = page(&file_name(&arguments.scene), &text, &run, arguments.force, out)?;
+                own
+            }
         };
         Ok(())
     })?;
@@ -106,6 +110,10 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     drop(progress);
     if let Some(why) = cut {
         warn(&format!("some numbers are missing: {why}"));
+        return Ok(Outcome::Failed);
+    }
+    if let Some(why) = unchecked {
+        warn(why);
         return Ok(Outcome::Failed);
     }
     if verdict.validity() == Some(true) {
@@ -125,8 +133,10 @@ fn file_name(path: &Path) -> String {
 /// Number of loads in the plots of a page.
 const PICTURED: usize = 41;
 
-/// Returns the HTML page of a solved scene, with the formulas of the profile if it has any.
-fn page(name: &str, text: &str, run: &Run<'_>, formally: bool, out: &mut dyn io::Write) -> io::Result<Verdict> {
+/// Writes the HTML page of a solved scene, with the formulas of the profile if it has any.
+///
+/// Returns the verdict on the rows, and the reason why the check of the formulas or a picture is incomplete.
+fn page(name: &str, text: &str, run: &Run<'_>, formally: bool, out: &mut dyn io::Write) -> io::Result<(Verdict, Option<&'static str>)> {
     let scene = run.scene();
     let swept = scene.swept(PICTURED, &Pictured::data(html::pictured(scene)));
     let solution = swept.solution().map_err(io::Error::other)?;
@@ -152,7 +162,9 @@ fn page(name: &str, text: &str, run: &Run<'_>, formally: bool, out: &mut dyn io:
         check,
     });
     let formulas = record.as_ref().zip(steps.as_deref());
-    html::html(&Sheet { text, name, run, swept: &pictured, formulas }, formally, out)
+    let verdict = html::html(&Sheet { text, name, run, swept: &pictured, formulas }, formally, out)?;
+    let unchecked = formulas.and_then(|(own, _)| Unchecked::why(&own.check));
+    Ok((verdict, unchecked.or_else(|| pictured.cut_short())))
 }
 
 pub(in crate::cli) fn read(path: &Path) -> Result<String, Failure> {

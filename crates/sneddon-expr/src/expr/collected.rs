@@ -79,8 +79,10 @@ pub fn in_lowest_terms(expr: &Expr) -> Expr {
 
 /// How much there is to read in the parts of an expression, many of which occur repeatedly: the digits of all numbers but 1, and
 /// the symbols.
+///
+/// By address: a test of equality would look at the whole of a part. Each part is kept, so that its address is not reused.
 #[derive(Default)]
-struct Digits(RefCell<HashMap<Expr, usize>>);
+struct Digits(RefCell<HashMap<usize, (Expr, usize)>>);
 
 impl Digits {
     /// The product with the common numeric factor of one of its sums in front, if that is shorter.
@@ -131,7 +133,7 @@ impl Digits {
     }
 
     fn of(&self, expr: &Expr) -> usize {
-        if let Some(known) = self.0.borrow().get(expr) {
+        if let Some((_, known)) = self.0.borrow().get(&expr.address()) {
             return *known;
         }
         let found = match expr.node() {
@@ -143,7 +145,7 @@ impl Digits {
             Node::Function(..) => 1 + self.of_all(expr),
             Node::Sum(_) | Node::Product(_) | Node::Power(..) => self.of_all(expr),
         };
-        self.0.borrow_mut().insert(expr.clone(), found);
+        self.0.borrow_mut().insert(expr.address(), (expr.clone(), found));
         found
     }
 

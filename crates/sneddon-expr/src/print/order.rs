@@ -2,8 +2,10 @@
 
 use super::layout::{Factor, layout};
 use crate::expr::{Expr, Function, Node};
+use crate::num::work;
 use crate::print::notations::latex_symbol;
 use std::cmp::{Ordering, Reverse};
+use std::collections::HashMap;
 
 /// The kinds of factor in the order in which they are printed.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -100,7 +102,8 @@ pub(super) fn terms(expr: &Expr) -> Vec<Expr> {
 
 /// The terms sorted by their keys.
 fn natural(expr: &Expr) -> Vec<Expr> {
-    let mut terms: Vec<(Key, Expr)> = expr.terms().into_iter().map(|term| (Key::of(&term), term)).collect();
+    let mut degrees = Degrees::default();
+    let mut terms: Vec<(Key, Expr)> = expr.terms().into_iter().map(|term| (Key::of(&term, &mut degrees), term)).collect();
     terms.sort_by(|(left, _), (right, _)| left.cmp(right));
     terms.into_iter().map(|(_, term)| term).collect()
 }
@@ -143,7 +146,8 @@ impl Ord for Degree {
 }
 
 impl Key {
-    fn of(term: &Expr) -> Self {
+    fn of(term: &Expr, degrees: &mut Degrees) -> Self {
+        let [in_variables, in_parameters] = degrees.of(term);
         let layout = layout(term);
         let all: Vec<&Factor> = layout.upper.iter().chain(&layout.lower).chain(&layout.behind).collect();
         let function = |factor: &&&Factor| Rank::of(factor) > Rank::Variable;
@@ -151,9 +155,9 @@ impl Key {
             |factor: &Factor| factor.base.symbols().iter().chain(&factor.exponent.symbols()).any(|s| VARIABLES.contains(&s.name()));
         Self {
             depends_through_function: all.iter().filter(function).any(|factor| depends(factor)),
-            degree: Reverse(Degree(degree(term, true))),
+            degree: Reverse(Degree(in_variables)),
             has_function: all.iter().any(|factor| function(&factor)),
-            degree_of_parameters: Reverse(Degree(degree(term, false))),
+            degree_of_parameters: Reverse(Degree(in_parameters)),
             names: all
                 .iter()
                 .map(|factor| (Rank::of(factor), name(&factor.base).1, factor.exponent.clone()))
@@ -164,13 +168,32 @@ impl Key {
     }
 }
 
-/// The degree in the variables, or in all other symbols.
-fn degree(expr: &Expr, variables: bool) -> f64 {
-    match expr.node() {
-        Node::Symbol(symbol) => f64::from(u8::from(VARIABLES.contains(&symbol.name()) == variables)),
-        Node::Power(base, exponent) => exponent.as_number().map_or(0.0, |number| number.to_f64()) * degree(base, variables),
-        Node::Product(factors) => factors.iter().map(|factor| degree(factor, variables)).sum(),
-        Node::Sum(terms) => terms.iter().map(|term| degree(term, variables)).fold(f64::NEG_INFINITY, f64::max),
-        Node::Number(_) | Node::Constant(_) | Node::Function(..) => 0.0,
+/// The degrees of expressions in the variables and in all other symbols; a part that occurs repeatedly in one sum is looked at
+/// once, by its address.
+#[derive(Default)]
+struct Degrees(HashMap<usize, [f64; 2]>);
+
+impl Degrees {
+    fn of(&mut self, expr: &Expr) -> [f64; 2] {
+        work::spend(1);
+        if let Some(known) = self.0.get(&expr.address()) {
+            return *known;
+        }
+        let combined = |parts: &[Expr], own: &mut Self, start: f64, both: fn(f64, f64) -> f64| {
+            parts.iter().map(|part| own.of(part)).fold([start; 2], |[a, b], [c, d]| [both(a, c), both(b, d)])
+        };
+        let found = match expr.node() {
+            Node::Symbol(symbol) if VARIABLES.contains(&symbol.name()) => return [1.0, 0.0],
+            Node::Symbol(_) => return [0.0, 1.0],
+            Node::Number(_) | Node::Constant(_) | Node::Function(..) => return [0.0; 2],
+            Node::Power(base, exponent) => {
+                let by = exponent.as_number().map_or(0.0, |number| number.to_f64());
+                self.of(base).map(|own| by * own)
+            }
+            Node::Product(factors) => combined(factors, self, 0.0, |a, b| a + b),
+            Node::Sum(terms) => combined(terms, self, f64::NEG_INFINITY, f64::max),
+        };
+        self.0.insert(expr.address(), found);
+        found
     }
 }

@@ -3,6 +3,7 @@
 use crate::double_double::{DoubleDouble, two_sum};
 use crate::legendre;
 use crate::stable::{exponent, ldexp};
+use crate::work;
 
 /// `K_k(b, c; x) = ∫_b^min(c,x) (r - b)^k / sqrt(x^2 - r^2) dr`, the slope of a power that starts at `b`.
 ///
@@ -139,6 +140,7 @@ fn moment(k: u32, b: f64, c: f64, x: f64, with_square: bool) -> f64 {
     if segment.is_empty() {
         return 0.0;
     }
+    work::spend(RULE);
     let Segment { b, x, from_b, from_c, .. } = segment;
     let order = f64::from(k);
     let width = ldexp(segment.width.value(), segment.shift);
@@ -171,6 +173,8 @@ fn moment(k: u32, b: f64, c: f64, x: f64, with_square: bool) -> f64 {
     ldexp(head * mantissa, power_exponent + shift)
 }
 
+/// The steps of the rule, in addition to those of a function.
+const RULE: u64 = 10;
 /// Up to this `k`, plain products are as accurate as the exponential.
 const SMALL: u32 = 4;
 
