@@ -4,6 +4,7 @@
 //! Results proven under that assumption carry the condition that the angle is acute.
 
 use crate::derive::domain::acute_sign::same_sign;
+use crate::derive::domain::identity::vanishes_identically;
 use crate::derive::domain::numeric_sign::numeric_sign;
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Condition, Expr, Node, Number, Sign, Symbol, normal, rewritten};
@@ -58,8 +59,11 @@ pub(crate) fn is_proven_zero(expr: &Expr, variable: &Symbol) -> bool {
 /// Parameters for which angles are not acute.
 const OTHER_ANGLES: [(i64, i64); 4] = [(67, 32), (87, 32), (141, 32), (167, 32)];
 
-/// True if the expression vanishes by trigonometric identities for all angles, as tan θ − sin θ/cos θ; false proves nothing.
+/// True if the expression vanishes by identities, for all angles, as tan θ − sin θ/cos θ; false proves nothing.
 pub(crate) fn cancels(expr: &Expr, variable: &Symbol) -> bool {
+    if vanishes_identically(&over_units(expr, &half_angle).unwrap_or_else(|| expr.clone())) {
+        return true;
+    }
     let vanishes = |value: Expr| {
         let set: Bindings = expr.symbols().iter().map(|symbol| (symbol.name(), value.clone())).collect();
         constant_value(expr, &set).is_ok_and(|own| own.value.abs() <= 4.0 * own.error)
@@ -163,13 +167,33 @@ fn map_calls(expr: &Expr, form: &dyn Fn(&Expr) -> Option<Expr>) -> Expr {
 
 /// The expression over the cosines of the smallest angles in it: sin θ = √(1 − c²), cos 2θ = 2c² − 1.
 fn algebraic(expr: &Expr) -> Option<Expr> {
+    // Sums under roots are collected, so that R² − R²(1 − c²) is (Rc)².
+    Some(expanded_under_roots(&over_units(expr, &acute)?))
+}
+
+/// Cosine and sine of an acute angle, over the cosine.
+fn acute(place: usize) -> (Expr, Expr) {
+    let cosine = Expr::from(Symbol::new(&format!("cosine·{place}")));
+    let sine = (Expr::one() - cosine.power(2)).sqrt();
+    (cosine, sine)
+}
+
+/// Cosine and sine of any angle, over the tangent of its half.
+fn half_angle(place: usize) -> (Expr, Expr) {
+    let tangent = Expr::from(Symbol::new(&format!("tangent·{place}")));
+    let square = tangent.power(2);
+    ((Expr::one() - &square) / (Expr::one() + &square), Expr::integer(2) * tangent / (Expr::one() + &square))
+}
+
+/// The expression with its sines, cosines and tangents over the cosine and the sine of each smallest angle in it.
+fn over_units(expr: &Expr, unit: &dyn Fn(usize) -> (Expr, Expr)) -> Option<Expr> {
     let mut calls = Vec::new();
     collect(expr, &mut calls);
     let units = Units::of(&calls.iter().filter_map(argument).collect::<Vec<_>>());
     let mut values = Vec::with_capacity(calls.len());
     for call in &calls {
         let Node::Function(function, arguments) = call.node() else { return None };
-        let (cosine, sine) = units.rotation(arguments.first()?)?;
+        let (cosine, sine) = units.rotation(arguments.first()?, unit)?;
         let value = match function.name() {
             "sin" => sine,
             "cos" => cosine,
@@ -177,9 +201,7 @@ fn algebraic(expr: &Expr) -> Option<Expr> {
         };
         values.push((call, value));
     }
-    let replaced = map_calls(expr, &|call| values.iter().find(|(known, _)| *known == call).map(|(_, value)| value.clone()));
-    // Sums under roots are collected, so that R² − R²(1 − c²) is (Rc)².
-    Some(expanded_under_roots(&replaced))
+    Some(map_calls(expr, &|call| values.iter().find(|(known, _)| *known == call).map(|(_, value)| value.clone())))
 }
 
 /// The expression with cos u for √(1 − sin² u) and sin u for √(1 − cos² u), assuming acute slope angles u.
@@ -235,8 +257,8 @@ impl Units {
         Self(units)
     }
 
-    /// Cosine and sine of an angle.
-    fn rotation(&self, angle: &Expr) -> Option<(Expr, Expr)> {
+    /// Cosine and sine of an angle, over those of the units.
+    fn rotation(&self, angle: &Expr, of_unit: &dyn Fn(usize) -> (Expr, Expr)) -> Option<(Expr, Expr)> {
         let mut turned = (Expr::one(), Expr::zero());
         for term in angle.terms() {
             let (number, base) = term.split_coefficient();
@@ -246,9 +268,7 @@ impl Units {
             let (count, one) = if base == Expr::pi() && quarters.is_integer() {
                 (quarters.to_integer(), (Expr::zero(), Expr::one()))
             } else {
-                let cosine = Expr::from(Symbol::new(&format!("cosine·{place}")));
-                let sine = (Expr::one() - cosine.power(2)).sqrt();
-                ((number.value() / unit).to_integer(), (cosine, sine))
+                ((number.value() / unit).to_integer(), of_unit(place))
             };
             let count = count.to_i64().filter(|count| count.abs() <= LARGEST_MULTIPLE)?;
             let one = if count < 0 { (one.0, -one.1) } else { one };

@@ -350,3 +350,30 @@ fn angles_have_exact_values() {
     assert!(print::text(&acute.equivalent_profile().formula).contains("theta"));
     assert!(Profile::new(&parse::profile("r*tan(t)-r*sin(t)/cos(t)").unwrap()).unwrap().is_flat());
 }
+
+/// Class "a coefficient that vanishes for all parameters is stated to be positive": half and triple angles, sums of two angles, hyperbolic
+/// functions and fractions with opposite denominators.
+#[test]
+fn coefficients_that_vanish_identically_are_dropped() {
+    for zero in [
+        "tan(theta)-2*tan(theta/2)/(1-tan(theta/2)^2)",
+        "sin(3*theta)-3*sin(theta)+4*sin(theta)^3",
+        "tan(3*theta)-(3*tan(theta)-tan(theta)^3)/(1-3*tan(theta)^2)",
+        "sin(theta+phi)-sin(theta)*cos(phi)-cos(theta)*sin(phi)",
+        "tan(theta/2)-(1-cos(theta))/sin(theta)",
+        "cosh(b)^2-sinh(b)^2-1",
+        "tanh(b)-sinh(b)/cosh(b)",
+        "1/(1-(1-c^2)/c^2)-c^2/(2*c^2-1)",
+        "sqrt(b)/(c-1)+sqrt(b)/(1-c)",
+    ] {
+        let answer = solution(&format!("r^2+r*({zero})"));
+        let shown = print::text(&answer.equivalent_profile().formula);
+        assert!(shown == "2*x^2" && answer.conditions.is_empty(), "{zero}: {shown}, {:?}", answer.conditions);
+        assert!(Profile::new(&parse::profile(&format!("r*({zero})")).unwrap()).unwrap().is_flat(), "{zero}");
+    }
+    // These vanish for some parameters only.
+    for other in ["sin(3*theta)-3*sin(theta)+3*sin(theta)^3", "cosh(b)^2-sinh(b)^2-b", "1/(1-c)+1/(c-2)", "sin(theta)-sqrt(1-cos(theta)^2)"]
+    {
+        assert!(!Profile::new(&parse::profile(&format!("r*({other})")).unwrap()).unwrap().is_flat(), "{other}");
+    }
+}

@@ -7,6 +7,7 @@ pub(crate) mod decided;
 pub(crate) mod demand;
 pub(crate) mod demands;
 pub(crate) mod first_zero;
+pub(crate) mod identity;
 pub(crate) mod located;
 pub(crate) mod numeric_sign;
 
