@@ -164,7 +164,6 @@ pub(super) fn marked(error: String, bound: Bound) -> String {
     }
 }
 
-/// Writes rows under a header, every column as wide as its widest entry.
 /// Returns the row of a point: its coordinate, and the value with its error and method or the reason why there is none.
 pub(super) fn row((at, reading): (&f64, &Measured)) -> [String; 4] {
     match reading {
@@ -173,6 +172,7 @@ pub(super) fn row((at, reading): (&f64, &Measured)) -> [String; 4] {
     }
 }
 
+/// Writes rows under a header, every column as wide as its widest entry.
 pub(super) fn table<const N: usize, I: Iterator<Item = [String; N]>>(
     header: &[&str; N],
     rows: impl Fn() -> I,

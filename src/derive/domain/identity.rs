@@ -2,12 +2,15 @@
 
 use crate::derive::stream::Stream;
 use crate::expr::{Expr, Node, Number};
+use crate::num::work;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use std::collections::HashMap;
 
 /// Points at which the expression must vanish.
 const POINTS: u64 = 3;
+/// Steps of work for a part.
+const STEPS: u64 = 20;
 /// Larger expressions are not examined.
 const MOST_PARTS: usize = 200;
 /// Larger powers, and numbers of more bits, are not computed.
@@ -31,6 +34,7 @@ struct Point {
 
 impl Point {
     fn value(&mut self, expr: &Expr) -> Option<BigRational> {
+        work::spend(STEPS);
         if let Some(known) = self.known.get(expr) {
             return Some(known.clone());
         }
