@@ -179,9 +179,6 @@ impl Degrees {
         if let Some(known) = self.0.get(&expr.address()) {
             return *known;
         }
-        let combined = |parts: &[Expr], own: &mut Self, start: f64, both: fn(f64, f64) -> f64| {
-            parts.iter().map(|part| own.of(part)).fold([start; 2], |[a, b], [c, d]| [both(a, c), both(b, d)])
-        };
         let found = match expr.node() {
             Node::Symbol(symbol) if VARIABLES.contains(&symbol.name()) => return [1.0, 0.0],
             Node::Symbol(_) => return [0.0, 1.0],
@@ -190,8 +187,14 @@ impl Degrees {
                 let by = exponent.as_number().map_or(0.0, |number| number.to_f64());
                 self.of(base).map(|own| by * own)
             }
-            Node::Product(factors) => combined(factors, self, 0.0, |a, b| a + b),
-            Node::Sum(terms) => combined(terms, self, f64::NEG_INFINITY, f64::max),
+            Node::Product(factors) => {
+                let (in_variables, in_parameters): (Vec<f64>, Vec<f64>) = factors.iter().map(|factor| self.of(factor).into()).unzip();
+                [in_variables.iter().sum(), in_parameters.iter().sum()]
+            }
+            Node::Sum(terms) => {
+                let all = terms.iter().map(|term| self.of(term));
+                all.fold([f64::NEG_INFINITY; 2], |[a, b], [c, d]| [a.max(c), b.max(d)])
+            }
         };
         self.0.insert(expr.address(), found);
         found
