@@ -1,4 +1,4 @@
-//! Parses lists of points: numbers, linear ranges and logarithmic ranges.
+//! Lists of points: parses numbers, linear ranges and logarithmic ranges, and warns of points without a value.
 
 use super::Failure;
 use super::failure::warn;

@@ -20,8 +20,9 @@ const ROOM: f64 = 1.25;
 const DECADES: f64 = 12.0;
 /// Places in each of them.
 const PER_DECADE: f64 = 2.0;
-/// Places beside a breakpoint, relative to it, and the most of them.
+/// Factors of a breakpoint that give places beside it.
 const BESIDE: [f64; 7] = [1.0 - 1e-6, 1.0 - 1e-2, 1.0 + 1e-9, 1.0 + 1e-6, 1.0 + 1e-3, 1.1, 1.5];
+/// The most places beside breakpoints.
 const MOST_BESIDE: usize = 168;
 /// Functions with a larger claim are refused.
 const REFUSED: f64 = 1e4;
@@ -253,9 +254,10 @@ fn places(sampler: &mut Sampler, evaluator: &Evaluator<'_>) -> (Vec<f64>, (f64, 
     list.extend(sampler.points(end, POINTS));
     let breakpoints = evaluator.breakpoints_below(end);
     let beside = breakpoints.iter().flat_map(|place| BESIDE.map(|factor| place * factor));
-    // Of many breakpoints, every factor is tried at some: a step that is no multiple of their number tries them in turn.
-    let step = (BESIDE.len() * breakpoints.len()).div_ceil(MOST_BESIDE).max(1);
-    list.extend(beside.step_by(if step > 1 && step.is_multiple_of(BESIDE.len()) { step + 1 } else { step }));
+    // With many breakpoints, only every n-th place is used. If n were a multiple of the number of factors, all of these places would have
+    // the same factor.
+    let n = (BESIDE.len() * breakpoints.len()).div_ceil(MOST_BESIDE).max(1);
+    list.extend(beside.step_by(if n.is_multiple_of(BESIDE.len()) { n + 1 } else { n }));
     if limit.is_finite() {
         list.extend([1e-2, 1e-4, 1e-8].map(|gap| limit * (1.0 - gap)));
     }

@@ -5,8 +5,6 @@ use crate::num::{Bounded, work};
 use crate::transform::{PressureCurve, Quantities, Reading, TransformError};
 use std::sync::Arc;
 
-/// Divisor of the budget: one part of this many is reserved for writing the answer.
-const FOR_THE_ANSWER: u64 = 16;
 /// Divisor of the remaining budget: a single point may use one part of this many.
 const FOR_ONE: u64 = 2;
 /// Factor between the budget of a block and its expected cost.
@@ -211,11 +209,11 @@ pub fn each_point<P, T, E>(
     largest_block: usize,
     mut read: impl FnMut(&[P]) -> Result<Vec<T>, E>,
 ) -> Vec<Result<T, Absence<E>>> {
-    let reserve = work::left() / FOR_THE_ANSWER;
+    let reserve = work::Reserve::default();
     let mut list = Vec::with_capacity(points.len());
     let (mut size, mut dearest) = (1, 0);
     while let Some(rest) = points.get(list.len()..).filter(|rest| !rest.is_empty()) {
-        let left = work::left().saturating_sub(reserve);
+        let left = reserve.beyond();
         let affordable = usize::try_from(left / (2 * HEADROOM * dearest).max(1)).unwrap_or(usize::MAX);
         let block = rest.get(..size.min(affordable).max(1)).unwrap_or(rest);
         let count = block.len() as u64;

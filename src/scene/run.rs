@@ -21,8 +21,7 @@ pub struct Run<'a> {
     work: Cell<Work>,
     /// True if the work budget was exhausted in a row or a point.
     cut: Cell<bool>,
-    /// The steps of the open budget that are kept for writing the answer.
-    reserve: Cell<u64>,
+    reserve: work::Reserve,
     watch: Option<Box<dyn Fn() + 'a>>,
     /// The last state whose points were computed, and its errors.
     pub(super) doubt: Cell<Option<(State, Option<Estimates>)>>,
@@ -35,8 +34,6 @@ pub struct Run<'a> {
     expansion: RefCell<Option<(State, Option<Arc<PressureCurve<'static>>>)>>,
 }
 
-/// Divisor of the budget: one part of this many is kept for writing the answer.
-const FOR_THE_ANSWER: u64 = 16;
 /// The message when the work budget is exhausted.
 const UNFINISHED: &str = "stopped at the work limit";
 
@@ -87,7 +84,7 @@ impl<'a> Run<'a> {
             second,
             work: Cell::default(),
             cut: Cell::default(),
-            reserve: Cell::new(u64::MAX),
+            reserve: work::Reserve::default(),
             watch: None,
             doubt: Cell::default(),
             tip: OnceCell::new(),
@@ -187,13 +184,7 @@ impl<'a> Run<'a> {
 
     /// Runs one part of a row with half of the remaining budget, so that a hard row leaves work for the following rows and for writing.
     fn part<T>(&self, work: impl FnOnce() -> T) -> Option<T> {
-        let left = work::left();
-        if left < self.reserve.get() {
-            // A budget was opened since the last row.
-            self.reserve.set(left / FOR_THE_ANSWER);
-        }
-        let most = (left - self.reserve.get()) / 2;
-        let found = work::until_deadline(|| work::share(most, work));
+        let found = self.reserve.part(work);
         self.cut.set(self.cut.get() || found.is_none());
         found
     }

@@ -162,6 +162,7 @@ const CALLS: &[(&str, &[&str])] = &[
     ("invert", &["x^2/R", "--steps=full"]),
     ("invert", &["x^2/12.73", "--digits", "3"]),
     ("invert", &["ln(1+x^4/w^4)", "--set", "w=2", "--at", "0.5,1"]),
+    ("invert", &["x^2/(1-x)", "--at", "0.5,2"]),
     ("invert", &["--pressure", "p_0*sqrt(1-r^2/a^2)"]),
     ("kappa", &["--at", "0,0.5,2"]),
     ("rules", &[]),

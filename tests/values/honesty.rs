@@ -308,7 +308,7 @@ fn quadrature_knows_the_rounding_of_its_breakpoints() {
 }
 
 /// Class "one bound on the rounding for all x of a sixteenth of an octave": where the piece begins within that sixteenth, the error of
-/// its beginning was left out, and the bounds at 1e-12 were a hundred times smaller than the error.
+/// its beginning was left out, and the bounds at 1e-12 were up to six times smaller than the error.
 #[test]
 fn quadrature_next_to_a_kink_covers_its_error_at_every_tolerance() {
     let mut compared = 0;

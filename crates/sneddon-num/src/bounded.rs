@@ -41,8 +41,9 @@ const LEAST_INVERSE: f64 = 1e-280;
 const UNIFORM: f64 = 2.0 * f64::MIN_POSITIVE;
 
 impl Bounded {
-    /// The least error that blocks of numbers give to a value that vanished by underflow: 2^-1000, a size with which most products do not
-    /// underflow, because processors are slow where they do.
+    /// The least error of a value that underflowed to zero in a block of numbers, 2^-1000.
+    ///
+    /// Most products with it do not underflow, and processors are slow with products that do.
     pub const VANISHED: f64 = f64::from_bits((1023 - 1000) << 52);
 
     /// An exact number.

@@ -200,6 +200,48 @@ pub fn part<T>(work: impl FnOnce() -> T) -> Option<T> {
     until_deadline(|| share(left() / 2, work))
 }
 
+/// The steps of the open budget that are kept for writing the answer: a sixteenth of those that are left at the first question.
+///
+/// ```
+/// use sneddon_num::work::{Budget, Exhausted, Reserve, left, spend, within};
+/// let rest = within(Budget::steps(160), || {
+///     let reserve = Reserve::default();
+///     assert_eq!((0..100).filter(|_| reserve.part(|| spend(1_000)).is_some()).count(), 0);
+///     assert_eq!(reserve.part(|| 7), Some(7));
+///     Ok::<_, Exhausted>(left())
+/// });
+/// assert!(rest.is_ok_and(|rest| rest >= 10));
+/// ```
+#[derive(Debug)]
+pub struct Reserve(Cell<u64>);
+
+impl Default for Reserve {
+    fn default() -> Self {
+        Self(Cell::new(NONE))
+    }
+}
+
+impl Reserve {
+    /// Returns the steps that are left beyond the reserve.
+    pub fn beyond(&self) -> u64 {
+        let left = left();
+        // A smaller budget was opened.
+        if left < self.0.get() {
+            self.0.set(left / FOR_THE_ANSWER);
+        }
+        left - self.0.get()
+    }
+
+    /// Runs one of several parts of the work with half of the steps beyond the reserve; see [`part`].
+    pub fn part<T>(&self, work: impl FnOnce() -> T) -> Option<T> {
+        let most = self.beyond() / 2;
+        until_deadline(|| share(most, work))
+    }
+}
+
+/// Divisor of the budget that gives the reserve.
+const FOR_THE_ANSWER: u64 = 16;
+
 /// Returns the flag that ends the work of this thread, to be passed to [`stoppable`] on threads that share the work.
 pub fn stop_flag() -> Option<&'static AtomicBool> {
     METER.with(|meter| meter.stop.get())

@@ -98,8 +98,8 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             Format::Npz => solved_npz::npz(&run, arguments.force, out)?,
             Format::Text => solved_text::table(&run, arguments.force, digits, out)?,
             Format::Html => {
-                let own;
-                (own, unchecked) = page(&file_name(&arguments.scene), &text, &run, arguments.force, out)?;
+                let (own, why) = page(&file_name(&arguments.scene), &text, &run, arguments.force, out)?;
+                unchecked = why;
                 own
             }
         };

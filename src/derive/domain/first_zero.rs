@@ -21,11 +21,11 @@ const SAMPLES: usize = 12;
 const FEWEST: usize = 4;
 /// Places between the lower end and the zero at which the expression must be positive.
 const PLACES: u32 = 24;
-/// The relative distance from the lower end at which the sign is read, …
+/// The relative distance from a positive lower end at which the sign is read.
 const NEAR: f64 = 1e-9;
-/// … the radii for that next to the axis, where nothing tells the scale of lengths: the first with a certain sign counts, …
+/// The radii at which the sign next to the axis is read, in any unit of length: the first with a certain sign decides.
 const NEXT_TO_THE_AXIS: [f64; 8] = [1e-290, 1e-200, 1e-120, 1e-80, 1e-40, 1e-25, 1e-15, NEAR];
-/// … and that beyond a zero, where a double zero must stand out of the rounding.
+/// The relative distance beyond a zero at which a double zero differs from rounding errors.
 const BEYOND: f64 = 1e-4;
 
 /// The sign next to the lower end at random parameters: `None` if it depends on them, or is known nowhere.

@@ -80,7 +80,7 @@ pub fn in_lowest_terms(expr: &Expr) -> Expr {
 /// How much there is to read in the parts of an expression, many of which occur repeatedly: the digits of all numbers but 1, and
 /// the symbols.
 ///
-/// By address: a test of equality would look at the whole of a part. Each part is kept, so that its address is not reused.
+/// The keys are addresses, because a test of equality compares whole expressions. Each part is kept, so that its address is not reused.
 #[derive(Default)]
 struct Digits(RefCell<HashMap<usize, (Expr, usize)>>);
 

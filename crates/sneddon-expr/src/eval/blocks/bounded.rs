@@ -243,7 +243,7 @@ fn split_power(a: Bounded, nearest: f64, rest: Bounded) -> Quick {
     Quick { value, error, comfortable: inside & (half_ulp(value) >= COMFORTABLE) & (error <= f64::MAX) }
 }
 
-/// A value that vanished by underflow with at least [`Bounded::VANISHED`] as its error.
+/// Raises the error of a value that underflowed to zero to at least [`Bounded::VANISHED`].
 #[inline(always)]
 fn lifted(own: Bounded) -> Bounded {
     let vanished = own.value == 0.0 && own.error > 0.0;

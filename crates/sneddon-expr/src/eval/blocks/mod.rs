@@ -90,7 +90,9 @@ impl Tape {
     ///
     /// Sums, products, quotients and roots are bounded rigorously, elementary functions by their derivative; where such a cheap bound
     /// does not hold (an edge of a domain, underflow), and for other functions, the point goes through [`Bounded`](crate::num::Bounded).
-    /// The values are those of the bounded scalar tape. `None` as for [`Tape::run_block`].
+    /// The values are those of the bounded scalar tape; one that underflows to zero has an error of at least
+    /// [`Bounded::VANISHED`](crate::num::Bounded::VANISHED).
+    /// `None` as for [`Tape::run_block`].
     ///
     /// ```
     /// use sneddon_expr::{eval::{BlockInput, BlockScratch, Tape}, expr::{Expr, Symbol}};
