@@ -56,20 +56,11 @@ pub(crate) fn is_proven_zero(expr: &Expr, variable: &Symbol) -> bool {
         || (has_angle(expr) && algebraic(expr).is_some_and(|algebraic| normal::is_proven_zero(&algebraic, variable)))
 }
 
-/// Parameters for which angles are not acute.
-const OTHER_ANGLES: [(i64, i64); 4] = [(67, 32), (87, 32), (141, 32), (167, 32)];
-
 /// True if the expression vanishes by identities, for all angles, as tan θ − sin θ/cos θ; false proves nothing.
-pub(crate) fn cancels(expr: &Expr, variable: &Symbol) -> bool {
-    if vanishes_identically(&over_units(expr, &half_angle).unwrap_or_else(|| expr.clone())) {
-        return true;
-    }
-    let vanishes = |value: Expr| {
-        let set: Bindings = expr.symbols().iter().map(|symbol| (symbol.name(), value.clone())).collect();
-        constant_value(expr, &set).is_ok_and(|own| own.value.abs() <= 4.0 * own.error)
-    };
-    // The proof assumes acute angles; sin θ − √(1 − cos² θ) is zero only for acute angles.
-    has_angle(expr) && is_proven_zero(expr, variable) && OTHER_ANGLES.iter().all(|(p, q)| vanishes(Expr::ratio(*p, *q)))
+///
+/// sin θ − √(1 − cos² θ) is zero only for acute angles, and does not vanish here.
+pub(crate) fn cancels(expr: &Expr) -> bool {
+    vanishes_identically(&over_units(expr, &half_angle).unwrap_or_else(|| expr.clone()))
 }
 
 /// True if the quotient of the two is a product of sines and cosines of acute angles, so that the first is smaller.

@@ -89,7 +89,7 @@ fn solve(profile: &Profile) -> Result<Solution, TransformError> {
 fn normal_parts(f_prime: &Expr) -> Option<Vec<NormalTerm>> {
     let radius = Symbol::new("r");
     let mut terms = normal::normal_terms(f_prime, &radius).ok()?;
-    terms.retain(|term| !angles::cancels(&term.coefficient, &radius));
+    terms.retain(|term| !angles::cancels(&term.coefficient));
     Some(terms)
 }
 

@@ -82,7 +82,7 @@ impl Profile {
         }
         let (mut resolved, unused): (Vec<Chain>, Vec<_>) = resolved.into_iter().map(|own| (own.chain, own.unused)).unzip();
         for piece in resolved.iter_mut().flat_map(|chain| &mut chain.pieces) {
-            if angles::cancels(piece, &radius) {
+            if angles::cancels(piece) {
                 *piece = Expr::zero();
             }
         }
