@@ -67,17 +67,17 @@ enum Command {
 impl Command {
     /// The name of the JSON document that the command writes to stdout, if any.
     fn document(&self) -> Option<&'static str> {
-        let (name, json, output) = match self {
-            Self::Derive(own) => ("derive", own.json || own.format == Some(typesetting::Format::Json), &own.output),
-            Self::Invert(own) => ("invert", own.json || own.format == Some(typesetting::Format::Json), &own.output),
-            Self::Eval(own) => ("eval", own.json, &own.output),
-            Self::Compare(own) => ("compare", own.json, &own.output),
-            Self::Solve(own) => ("solve", own.json, &own.output),
-            Self::Reference(own) => ("reference", own.json, &own.output),
-            Self::Validate(own) => ("validate", own.json, &own.output),
+        let (name, is_document) = match self {
+            Self::Derive(own) => ("derive", own.output.is_document()),
+            Self::Invert(own) => ("invert", own.output.is_document()),
+            Self::Eval(own) => ("eval", own.output.is_document()),
+            Self::Compare(own) => ("compare", own.output.is_document()),
+            Self::Solve(own) => ("solve", own.output.is_document()),
+            Self::Reference(own) => ("reference", own.output.is_document()),
+            Self::Validate(own) => ("validate", own.output.is_document()),
             _ => return None,
         };
-        (json && output.as_ref().is_none_or(|path| path.as_os_str() == "-")).then_some(name)
+        is_document.then_some(name)
     }
 }
 

@@ -11,6 +11,11 @@ pub(super) struct PrecisionArguments {
 }
 
 impl PrecisionArguments {
+    /// Returns true if a number of digits is requested.
+    pub(super) fn is_given(&self) -> bool {
+        self.precision.is_some()
+    }
+
     /// Returns the number of digits; `rounds` is true if the output format can be rounded.
     ///
     /// # Errors

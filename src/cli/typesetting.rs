@@ -1,7 +1,7 @@
 //! Options for typesetting formulas: complete documents, line width, symbol names, number of digits, and logarithms.
 
 use super::Failure;
-use super::output::Endings;
+use super::output::{Endings, OutputFormat};
 use super::precision::significant;
 use crate::expr::Formula;
 use crate::parse;
@@ -30,15 +30,17 @@ pub(super) enum Steps {
     Full,
 }
 
-/// The file extensions and their formats.
-pub(super) const ENDINGS: &Endings<Format> = &[
-    ("txt", Format::Text),
-    ("tex", Format::Latex),
-    ("md", Format::Markdown),
-    ("typ", Format::Typst),
-    ("html", Format::Mathml),
-    ("json", Format::Json),
-];
+impl OutputFormat for Format {
+    const ENDINGS: &'static Endings<Self> = &[
+        ("txt", Self::Text),
+        ("tex", Self::Latex),
+        ("md", Self::Markdown),
+        ("typ", Self::Typst),
+        ("html", Self::Mathml),
+        ("json", Self::Json),
+    ];
+    const USUAL: Self = Self::Text;
+}
 
 impl Format {
     /// Returns the format of a page; `None` for JSON.
@@ -55,14 +57,34 @@ impl Format {
     }
 }
 
+/// The options of a page.
 #[derive(clap::Args)]
-pub(super) struct TypesettingArguments {
+pub(super) struct PageArguments {
     /// Writes a complete document that compiles, for latex, typst, markdown or mathml.
     #[arg(long)]
     standalone: bool,
     /// Width of a column in characters, from 20 to 1000, or with a unit, as 246pt or 8.5cm; 51 suits a paper in two columns [default: 72; text is not broken].
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     width: Option<String>,
+}
+
+impl PageArguments {
+    /// Returns the style of a page; `None` is a format without formulas.
+    pub(super) fn style(&self, format: Option<page::Format>) -> Result<page::Style, Failure> {
+        let has_document = !matches!(format, None | Some(page::Format::Text | page::Format::Unicode));
+        if self.standalone && !has_document {
+            return Err(Failure::new("--standalone requires a document format, not text or data")
+                .help("add --format latex, typst, markdown or mathml"));
+        }
+        let width = self.width.as_deref().map(characters).transpose()?;
+        Ok(page::Style { standalone: self.standalone, width })
+    }
+}
+
+#[derive(clap::Args)]
+pub(super) struct TypesettingArguments {
+    #[command(flatten)]
+    page: PageArguments,
     /// Renames symbols in the output, such as E=E_r,d=\delta.
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     symbols: Vec<String>,
@@ -86,13 +108,7 @@ enum InverseHyperbolic {
 impl TypesettingArguments {
     /// Returns the style of a page; `None` is JSON.
     pub(super) fn style(&self, format: Option<page::Format>) -> Result<page::Style, Failure> {
-        let has_document = !matches!(format, None | Some(page::Format::Text | page::Format::Unicode));
-        if self.standalone && !has_document {
-            return Err(Failure::new("--standalone requires a document format, not text or JSON")
-                .help("add --format latex, typst, markdown or mathml"));
-        }
-        let width = self.width.as_deref().map(characters).transpose()?;
-        Ok(page::Style { standalone: self.standalone, width })
+        self.page.style(format)
     }
 
     /// Returns the changes to the formulas in the output for a profile.

@@ -6,7 +6,6 @@ mod infinite_pressure;
 pub mod inversion;
 #[cfg(feature = "data")]
 pub mod json;
-pub mod markdown;
 #[cfg(feature = "data")]
 mod npy;
 mod open_pressure;

@@ -2,6 +2,7 @@
 
 use super::{Control, Declared, Loads, Measured, MeasuredTip, Quantity, SceneError, Simple, System};
 use crate::contact::{Body, ContactError};
+use crate::expr::Formula;
 use crate::transform::{Method, Profile, Slopes, Solution, derive};
 use std::ops::Range;
 use std::sync::Arc;
@@ -114,8 +115,10 @@ pub struct Scene {
     pub relatives: Vec<Simple>,
     /// The error if the coordinates of requested curves are missing.
     pub lacking: Option<SceneError>,
-    /// The names of the parameters of the profile.
-    pub parameters: Vec<String>,
+    /// The parameters of the profile with their values as typed, such as `10 um`.
+    pub parameters: Vec<(String, String)>,
+    /// f with its parameters as symbols; `None` where their values are needed to read it, and for measured tips.
+    pub symbolic: Option<Formula>,
     /// The declared properties of a solver's data.
     pub data: Option<Declared>,
 }
@@ -149,6 +152,7 @@ impl Scene {
             relatives: Vec::new(),
             lacking: None,
             parameters: Vec::new(),
+            symbolic: None,
             data: None,
         }
     }

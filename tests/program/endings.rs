@@ -57,10 +57,30 @@ const COMMANDS: &[(&[&str], &[Ending])] = &[
     ),
     (&["compare", "r^2"], &[("txt", "closed forms"), ("json", "{\"schema\":\"sneddon/compare/1\"")]),
     (&["invert", "x^2"], &[("txt", "g(x) = "), ("tex", "%"), ("json", "{\"schema\":\"sneddon/invert/1\"")]),
-    (&["rules"], &[("txt", "heß-power"), ("md", "#"), ("json", "{\"schema\":\"sneddon/rules/1\"")]),
+    (
+        &["rules"],
+        &[
+            ("txt", "heß-power"),
+            ("tex", "\n\\noindent Each rule"),
+            ("md", "Each rule"),
+            ("typ", "Each rule"),
+            ("html", "<article>"),
+            ("json", "{\"schema\":\"sneddon/rules/1\""),
+        ],
+    ),
+    (&["kappa", "--at", "1,2"], &[("txt", "kappa_n = "), ("csv", "n,kappa_n,"), ("json", "{\"schema\":\"sneddon/kappa/1\"")]),
     (
         &["solve", "scene.toml"],
-        &[("txt", "E* = "), ("csv", "d_um,F_mN,a_um,"), ("json", "{\"schema\":\"sneddon/solve/1\""), ("npz", "PK\u{3}\u{4}")],
+        &[
+            ("txt", "E* = "),
+            ("csv", "d_um,F_mN,a_um,"),
+            ("json", "{\"schema\":\"sneddon/solve/1\""),
+            ("npz", "PK\u{3}\u{4}"),
+            ("tex", "\\begin{equation}"),
+            ("md", "```math"),
+            ("typ", "$ f"),
+            ("html", "<!DOCTYPE html>"),
+        ],
     ),
     (
         &["reference", "scene.toml", "--grid", "0:2 um:3"],
@@ -97,6 +117,34 @@ fn the_ending_decides_everywhere() {
     }
 }
 
+/// `--format` on stdout writes what `-o` writes to a file with the ending of that format.
+#[test]
+fn every_format_has_a_name_and_an_ending() {
+    let place = room("formats");
+    for (command, endings) in COMMANDS {
+        for (ending, _) in *endings {
+            let format = match *ending {
+                "txt" => "text",
+                "tex" => "latex",
+                "md" => "markdown",
+                "typ" => "typst",
+                "html" if ["derive", "invert", "rules"].contains(&command[0]) => "mathml",
+                own => own,
+            };
+            let name = format!("out.{ending}");
+            let file = run(&place, &[command, &["-o", name.as_str()][..]].concat());
+            let stdout = run(&place, &[command, &["--format", format][..]].concat());
+            assert!(file.status.success() && stdout.status.success(), "{command:?} --format {format}: {stdout:?}");
+            let (written, printed) = (fs::read(place.join(&name)).unwrap(), stdout.stdout);
+            assert!(!printed.is_empty() && written == printed, "{command:?} --format {format}");
+            let both = run(&place, &[command, &["--format", format, "-o", name.as_str()][..]].concat());
+            assert!(both.status.success(), "{command:?} --format {format} -o {name}");
+        }
+        let done = run(&place, &[command, &["--format", "pdf"][..]].concat());
+        assert_eq!(done.status.code(), Some(2), "{command:?}");
+    }
+}
+
 #[test]
 fn a_dash_is_stdout() {
     let place = room("dash");
@@ -118,6 +166,8 @@ fn options_that_contradict_the_ending_are_refused() {
         &["derive", "r^2", "--format", "latex", "-o", "x.txt"],
         &["eval", "r^2", "--quantity", "g", "--at", "1", "--csv", "-o", "x.json"],
         &["reference", "scene.toml", "--grid", "0:2 um:3", "--json", "-o", "x.npy"],
+        &["solve", "scene.toml", "--format", "latex", "-o", "x.md"],
+        &["kappa", "--at", "1", "--format", "csv", "-o", "x.txt"],
     ] {
         let done = run(&place, arguments);
         assert_eq!(done.status.code(), Some(2), "{arguments:?}");

@@ -8,6 +8,7 @@ mod definitions;
 mod docs;
 mod endings;
 mod ends;
+mod pages;
 mod pictures;
 mod points;
 mod precision;

@@ -1,12 +1,12 @@
 //! `sneddon compare`: compares closed forms with quadrature.
 
 use crate::cli::failure::warn;
-use crate::cli::output::{Destination, Endings};
+use crate::cli::output::{Endings, OutputArguments, OutputFormat};
 use crate::cli::{Failure, Outcome, budget, input};
 use crate::contact::{self, ContactError, Setting};
 use crate::report::{self, Compared};
 use crate::transform::{self, TransformError, Verdict};
-use std::path::PathBuf;
+use clap::ValueEnum;
 
 /// Compares the closed forms with numerical quadrature of the profile, at up to 64 points per quantity.
 ///
@@ -25,12 +25,8 @@ pub(in crate::cli) struct Arguments {
     /// Largest relative difference to accept [default: the error bounds].
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     tol: Option<String>,
-    /// Writes JSON.
-    #[arg(long)]
-    pub(in crate::cli) json: bool,
-    /// Writes to this file instead of stdout; the extension selects the format: .txt or .json.
-    #[arg(short, long, value_name = "FILE")]
-    pub(in crate::cli) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(in crate::cli) output: OutputArguments<Format>,
     #[command(flatten)]
     pub(in crate::cli) budget: budget::BudgetArguments,
 }
@@ -39,16 +35,19 @@ const EXAMPLES: &str = "Examples:
   sneddon compare 'R-sqrt(R^2-r^2)'
   sneddon compare 'piecewise(0, r<b, (r^2-b^2)/(2*R))' --set R=2 --set b=0.6 --tol 1e-9 --json";
 
-#[derive(Clone, Copy, PartialEq)]
-enum Format {
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(in crate::cli) enum Format {
     Text,
     Json,
 }
 
-const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("json", Format::Json)];
+impl OutputFormat for Format {
+    const ENDINGS: &'static Endings<Self> = &[("txt", Self::Text), ("json", Self::Json)];
+    const USUAL: Self = Self::Text;
+}
 
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let answer = Destination::choose(arguments.output.as_deref(), arguments.json.then_some(Format::Json), Format::Text, ENDINGS)?;
+    let answer = arguments.output.destination()?;
     let units = arguments.profile.units(&[arguments.radius.as_deref(), arguments.depth.as_deref()], None);
     units.tell();
     let setting = Setting {

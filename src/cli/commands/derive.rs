@@ -1,16 +1,15 @@
 //! `sneddon derive`: closed forms of a profile.
 
 use crate::cli::failure::warn;
-use crate::cli::output::{Destination, Formats};
+use crate::cli::output::OutputArguments;
 use crate::cli::quantities::{Quantities, demand};
-use crate::cli::typesetting::{ENDINGS, Format, Steps, TypesettingArguments};
+use crate::cli::typesetting::{Format, Steps, TypesettingArguments};
 use crate::cli::{Failure, Outcome, budget, input};
 use crate::contact::{ContactError, Edge, Quantity, relations, rim_radius, short_steps, steps};
 use crate::expr::{Bindings, Expr, Sign, sign};
 use crate::report::page::Page;
 use crate::report::{self, Derivation};
 use crate::transform;
-use std::path::PathBuf;
 
 /// Derives closed forms of g, d, F, p and k and, where they exist, of a(d) and F(d).
 #[derive(clap::Args)]
@@ -21,15 +20,8 @@ pub(in crate::cli) struct Arguments {
     /// Depth of a punch whose rim is at the contact radius: a number, or the symbol d.
     #[arg(long, value_name = "D", allow_hyphen_values = true)]
     depth: Option<String>,
-    /// Output format [default: text].
-    #[arg(long, value_parser = Formats(ENDINGS))]
-    pub(in crate::cli) format: Option<Format>,
-    /// Same as --format json.
-    #[arg(long, conflicts_with = "format")]
-    pub(in crate::cli) json: bool,
-    /// Writes to this file instead of stdout; the extension selects the format: .txt, .tex, .md, .typ, .html or .json.
-    #[arg(short, long, value_name = "FILE")]
-    pub(in crate::cli) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(in crate::cli) output: OutputArguments<Format>,
     #[command(flatten)]
     typesetting: TypesettingArguments,
     /// Shows the derivation of every result from f, step by step; --steps=full adds all intermediate steps.
@@ -51,8 +43,7 @@ const EXAMPLES: &str = "Examples:
   echo 'R-sqrt(R^2-r^2)' | sneddon derive - --set R=2 --json";
 
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let flag = arguments.format.or(arguments.json.then_some(Format::Json));
-    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
+    let answer = arguments.output.destination()?;
     let style = arguments.typesetting.style(answer.format().page())?;
     demand(&arguments.quantity, has_formula)?;
     let units = arguments.profile.units(&[arguments.depth.as_deref()], None);

@@ -1,7 +1,7 @@
 //! `sneddon eval`: the numbers of one quantity.
 
 use crate::cli::failure::warn;
-use crate::cli::output::{Destination, Tabular};
+use crate::cli::output::{OutputArguments, Tabular};
 use crate::cli::precision::PrecisionArguments;
 use crate::cli::quantities::Quantities;
 use crate::cli::{Failure, Outcome, budget, curve, input, points, series};
@@ -16,7 +16,6 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{Arg, Command};
 use std::ffi::OsStr;
-use std::path::PathBuf;
 
 /// Computes the numbers of a contact, each with an error bound.
 ///
@@ -54,15 +53,8 @@ pub(in crate::cli) struct Arguments {
     /// Relative tolerance [default: 1e-13].
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     tol: Option<String>,
-    /// Writes JSON.
-    #[arg(long, conflicts_with = "csv")]
-    pub(in crate::cli) json: bool,
-    /// Writes comma-separated values.
-    #[arg(long)]
-    csv: bool,
-    /// Writes to this file instead of stdout; the extension selects the format: .txt, .csv or .json.
-    #[arg(short, long, value_name = "FILE")]
-    pub(in crate::cli) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(in crate::cli) output: OutputArguments<Tabular>,
     #[command(flatten)]
     precision: PrecisionArguments,
     #[command(flatten)]
@@ -126,8 +118,7 @@ impl TypedValueParser for Methods {
 }
 
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let flag = Tabular::demanded(arguments.json, arguments.csv);
-    let answer = Destination::choose(arguments.output.as_deref(), flag, Tabular::Text, Tabular::ENDINGS)?;
+    let answer = arguments.output.destination()?;
     if arguments.explain && answer.format() == Tabular::Csv {
         return Err(Failure::new("CSV has no place for the ways of --explain").help("expected -o FILE.txt or FILE.json"));
     }

@@ -1,7 +1,7 @@
 //! `sneddon invert`: finds the profile with a given equivalent profile or pressure.
 
-use crate::cli::output::{Destination, Formats};
-use crate::cli::typesetting::{ENDINGS, Format, Steps, TypesettingArguments};
+use crate::cli::output::OutputArguments;
+use crate::cli::typesetting::{Format, Steps, TypesettingArguments};
 use crate::cli::units::Units;
 use crate::cli::{Failure, Outcome, budget, input, points};
 use crate::contact::{ContactError, each_point, inverse_steps, short_inverse_steps, with_reasons};
@@ -11,7 +11,6 @@ use crate::report::page::Page;
 use crate::report::{Inversion, Wanted, inversion};
 use crate::scene::Dimension;
 use crate::transform::{self, Inverse, InverseNumbers, Method, TransformError};
-use std::path::PathBuf;
 
 /// Finds the shape f(r) from an equivalent profile g(x) or from a pressure p(r).
 ///
@@ -31,15 +30,8 @@ pub(in crate::cli) struct Arguments {
     /// Radii at which f is computed: 0.1,0.5 or start:stop:count or log:start:stop:count.
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     at: Option<String>,
-    /// Output format [default: text].
-    #[arg(long, value_parser = Formats(ENDINGS))]
-    pub(in crate::cli) format: Option<Format>,
-    /// Same as --format json.
-    #[arg(long, conflicts_with = "format")]
-    pub(in crate::cli) json: bool,
-    /// Writes to this file instead of stdout; the extension selects the format: .txt, .tex, .md, .typ, .html or .json.
-    #[arg(short, long, value_name = "FILE")]
-    pub(in crate::cli) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(in crate::cli) output: OutputArguments<Format>,
     #[command(flatten)]
     typesetting: TypesettingArguments,
     /// Shows the derivation of f from g, step by step; --steps=full adds all intermediate steps.
@@ -59,8 +51,7 @@ const EXAMPLES: &str = "Examples:
 const TOLERANCE: f64 = 1e-13;
 
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let flag = arguments.format.or(arguments.json.then_some(Format::Json));
-    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
+    let answer = arguments.output.destination()?;
     let units = Units::of(&arguments.set, &[arguments.at.as_deref()], None);
     units.tell();
     let at = arguments.at.as_deref().map(|list| points::read(list, &units, Dimension::LENGTH)).transpose()?.unwrap_or_default();

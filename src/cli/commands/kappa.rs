@@ -1,6 +1,6 @@
 //! `sneddon kappa`: the constants of power-law profiles.
 
-use crate::cli::output::{Destination, Tabular};
+use crate::cli::output::{OutputArguments, Tabular};
 use crate::cli::precision::PrecisionArguments;
 use crate::cli::units::Units;
 use crate::cli::{Failure, Outcome, points};
@@ -10,7 +10,6 @@ use crate::num::Estimate;
 use crate::report::power_constants::{self, PowerConstant};
 use crate::scene::Dimension;
 use crate::transform::rules::kappa;
-use std::path::PathBuf;
 
 /// Tabulates the constants of power-law profiles: f(r) = C*r^n has g(x) = kappa_n*C*x^n.
 ///
@@ -21,15 +20,8 @@ pub(in crate::cli) struct Arguments {
     /// Exponents n, at least 0: 1,1.5,2 or start:stop:count or log:start:stop:count.
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     at: String,
-    /// Writes JSON.
-    #[arg(long, conflicts_with = "csv")]
-    json: bool,
-    /// Writes comma-separated values.
-    #[arg(long)]
-    csv: bool,
-    /// Writes to this file instead of stdout; the extension selects the format: .txt, .csv or .json.
-    #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(in crate::cli) output: OutputArguments<Tabular>,
     #[command(flatten)]
     precision: PrecisionArguments,
 }
@@ -39,8 +31,7 @@ const EXAMPLES: &str = "Examples:
   sneddon kappa --at 1,1.5,2,3 --json";
 
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let flag = Tabular::demanded(arguments.json, arguments.csv);
-    let answer = Destination::choose(arguments.output.as_deref(), flag, Tabular::Text, Tabular::ENDINGS)?;
+    let answer = arguments.output.destination()?;
     let digits = arguments.precision.digits(answer.format() != Tabular::Json)?;
     let exponents = points::read(&arguments.at, &Units::of(&[], &[], None), Dimension::NONE)?;
     let constant = |n: f64| {

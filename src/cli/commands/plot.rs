@@ -2,7 +2,7 @@
 
 use crate::cli::commands::solve::read;
 use crate::cli::failure::warn;
-use crate::cli::output::{Destination, Endings};
+use crate::cli::output::{Endings, OutputArguments, OutputFormat};
 use crate::cli::quantities::{Quantities, demand};
 use crate::cli::units::Units;
 use crate::cli::{Failure, Outcome, budget, input, tip};
@@ -12,9 +12,9 @@ use crate::report::picture::{Picture, Pictured};
 use crate::scene::{self, Control, Dimension, Loads, Run, Scene, SceneError};
 use crate::transform::{Evaluator, Method, Solution, TransformError, derive, reach};
 use clap::builder::{PossibleValue, TypedValueParser};
-use clap::{Arg, Command};
+use clap::{Arg, Command, ValueEnum};
 use std::ffi::OsStr;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Plots quantities over the depth, and fields over the radius at the largest load.
 ///
@@ -38,9 +38,8 @@ pub(in crate::cli) struct Arguments {
     /// Effective modulus E* of a profile.
     #[arg(long, value_name = "VALUE", default_value = "1", allow_hyphen_values = true)]
     effective_modulus: String,
-    /// Writes to this file; the extension selects the format: .svg, .png or .txt. Without it a text plot is printed.
-    #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(in crate::cli) output: OutputArguments<Format>,
     #[command(flatten)]
     pub(in crate::cli) budget: budget::BudgetArguments,
 }
@@ -54,14 +53,17 @@ const LOADS: usize = 61;
 /// Work allowed for each value in a plot.
 const STEPS_PER_VALUE: u64 = 100_000;
 
-#[derive(Clone, Copy, PartialEq)]
-enum Format {
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(in crate::cli) enum Format {
     Svg,
     Png,
     Text,
 }
 
-const ENDINGS: &Endings<Format> = &[("svg", Format::Svg), ("png", Format::Png), ("txt", Format::Text)];
+impl OutputFormat for Format {
+    const ENDINGS: &'static Endings<Self> = &[("svg", Self::Svg), ("png", Self::Png), ("txt", Self::Text)];
+    const USUAL: Self = Self::Text;
+}
 
 /// Parses the key of a quantity, or `section`.
 #[derive(Clone)]
@@ -96,7 +98,7 @@ fn drawn(quantity: Quantity) -> Result<(), &'static str> {
 }
 
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let answer = Destination::choose(arguments.output.as_deref(), None, Format::Text, ENDINGS)?;
+    let answer = arguments.output.destination()?;
     let usual = [Quantity::Force, Quantity::Radius, Quantity::Pressure].map(Pictured::Quantity);
     let quantities: &[Pictured] = if arguments.quantity.is_empty() { &usual } else { &arguments.quantity };
     for own in quantities {

@@ -3,13 +3,14 @@
 use crate::cli::commands::solve::read;
 use crate::cli::commands::validate;
 use crate::cli::failure::warn;
-use crate::cli::output::{Destination, Endings};
+use crate::cli::output::{Endings, OutputArguments, OutputFormat};
 use crate::cli::precision::PrecisionArguments;
 use crate::cli::progress::Progress;
 use crate::cli::{Failure, Outcome, budget, tip};
 use crate::report::Reference;
 use crate::scene::{self, Grid, Run, SceneError};
 use crate::validate::points;
+use clap::ValueEnum;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
@@ -37,12 +38,8 @@ pub(in crate::cli) struct Arguments {
     /// Centres the axis between grid points instead of on one.
     #[arg(long)]
     between: bool,
-    /// Writes JSON.
-    #[arg(long)]
-    pub(in crate::cli) json: bool,
-    /// Writes to this file instead of stdout; the extension selects the format: .csv, .json or .npy (a NumPy array).
-    #[arg(short, long, value_name = "FILE")]
-    pub(in crate::cli) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(in crate::cli) output: OutputArguments<Format>,
     #[command(flatten)]
     precision: PrecisionArguments,
     #[command(flatten)]
@@ -59,18 +56,21 @@ Exit codes: 0 done, 1 a load has no valid contact, 2 bad input (the reason is on
 /// Work allowed for each point of a grid, including the mean over its cell.
 const STEPS_PER_PLACE: u64 = 2_000_000;
 
-#[derive(Clone, Copy, PartialEq)]
-enum Format {
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(in crate::cli) enum Format {
     Csv,
     Json,
     Npy,
 }
 
-const ENDINGS: &Endings<Format> = &[("csv", Format::Csv), ("json", Format::Json), ("npy", Format::Npy)];
+impl OutputFormat for Format {
+    const ENDINGS: &'static Endings<Self> = &[("csv", Self::Csv), ("json", Self::Json), ("npy", Self::Npy)];
+    const USUAL: Self = Self::Csv;
+    const PAGE: Option<(&'static str, &'static str)> = Some(("npy", "a NumPy array"));
+}
 
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let flag = arguments.json.then_some(Format::Json);
-    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Csv, ENDINGS)?;
+    let answer = arguments.output.destination()?;
     let digits = arguments.precision.digits(answer.format() == Format::Csv)?;
     let text = read(&arguments.scene)?;
     let name = arguments.scene.display().to_string();

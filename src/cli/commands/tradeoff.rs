@@ -1,7 +1,7 @@
 //! `sneddon tradeoff`: the cost of accuracy, method by method.
 
 use crate::cli::output;
-use crate::cli::output::{Destination, Endings};
+use crate::cli::output::{Endings, OutputArguments, OutputFormat};
 use crate::cli::quantities::{Quantities, demand};
 use crate::cli::{Failure, Outcome, budget, input, points};
 use crate::contact::{ContactError, Quantity};
@@ -10,8 +10,8 @@ use crate::report::{self, Tradeoff};
 use crate::scene::Dimension;
 use crate::tradeoff::{self, Options, Problem, TradeoffError};
 use crate::transform::{self, Evaluator, Method, TransformError};
+use clap::ValueEnum;
 use std::io::Write;
-use std::path::PathBuf;
 use std::time::Duration;
 
 /// Benchmarks each method over a range of accuracies: true error, time per point and number of evaluations.
@@ -37,15 +37,8 @@ pub(in crate::cli) struct Arguments {
     /// Time for the benchmark, in seconds.
     #[arg(long, value_name = "SECONDS", default_value = "10", allow_hyphen_values = true)]
     budget: String,
-    /// Writes JSON.
-    #[arg(long, conflicts_with = "csv")]
-    json: bool,
-    /// Writes comma-separated values.
-    #[arg(long)]
-    csv: bool,
-    /// Writes to this file; the extension selects the format: .txt, .csv or .json, or .svg for a plot in addition to the results on stdout.
-    #[arg(short, long, value_name = "PLOT.svg")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(in crate::cli) output: OutputArguments<Format>,
 }
 
 const EXAMPLES: &str = "Examples:
@@ -54,15 +47,20 @@ const EXAMPLES: &str = "Examples:
 
 Exit codes: 0 done, 1 the time did not suffice for every method, 2 bad input (the reason is on stderr).";
 
-#[derive(Clone, Copy, PartialEq)]
-enum Format {
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(in crate::cli) enum Format {
     Text,
     Csv,
     Json,
     Svg,
 }
 
-const ENDINGS: &Endings<Format> = &[("svg", Format::Svg), ("txt", Format::Text), ("csv", Format::Csv), ("json", Format::Json)];
+impl OutputFormat for Format {
+    const ENDINGS: &'static Endings<Self> = &[("svg", Self::Svg), ("txt", Self::Text), ("csv", Self::Csv), ("json", Self::Json)];
+    const USUAL: Self = Self::Text;
+    const PAGE: Option<(&'static str, &'static str)> = Some(("svg", "a plot"));
+    const IS_BESIDE: bool = true;
+}
 
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let quantity = arguments.quantity;
@@ -76,8 +74,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let wanted = arguments.tol.as_deref().map(input::tolerance).transpose()?;
     let budget = Duration::from_secs_f64(budget::seconds(&arguments.budget)?);
-    let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
-    let answer = Destination::beside(arguments.output.as_deref(), flag, Format::Text, ENDINGS, Format::Svg)?;
+    let answer = arguments.output.destination()?;
     let (typed, settings) = arguments.profile.read(&units)?;
     settings.demand_all(&typed)?;
     let failed = |error: ContactError| Failure::profile(&typed.text, &error);
@@ -107,8 +104,8 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Format::Text => report::tradeoff::text::tradeoff(&record, out),
     };
     answer.write(write)?;
-    if has_plot {
-        output::print(|out| write(flag.unwrap_or(Format::Text), out))?;
+    if has_plot && !answer.is_stdout() {
+        output::print(|out| write(arguments.output.beside(), out))?;
     }
     Ok(if record.cut().is_some() { Outcome::Failed } else { Outcome::Done })
 }

@@ -3,12 +3,13 @@
 use crate::cli::commands::solve;
 use crate::cli::failure::warn;
 use crate::cli::output;
-use crate::cli::output::{Destination, Endings};
+use crate::cli::output::{Endings, OutputArguments, OutputFormat};
 use crate::cli::tip;
 use crate::cli::{Failure, Outcome, budget, input};
 use crate::report::validation::{html, json, text as screen};
 use crate::scene::{Change, Declared, Dimension, Grid, SceneError, scene_for_data};
 use crate::validate::{Layout, Origin, Request, Source, ValidationError, validate};
+use clap::ValueEnum;
 use std::fs::File;
 use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
@@ -50,12 +51,8 @@ pub(in crate::cli) struct Arguments {
     /// Treats pressures as means over pixels, or over rings between radii, as written by `sneddon reference --cells`.
     #[arg(long)]
     cells: bool,
-    /// Writes JSON.
-    #[arg(long)]
-    pub(in crate::cli) json: bool,
-    /// Writes to this file; the extension selects the format: .txt or .json, or .html for a page with plots in addition to the results on stdout.
-    #[arg(short, long, value_name = "REPORT.html")]
-    pub(in crate::cli) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(in crate::cli) output: OutputArguments<Format>,
     #[command(flatten)]
     pub(in crate::cli) budget: budget::BudgetArguments,
 }
@@ -87,14 +84,19 @@ const LONGEST: u64 = 100_000_000;
 /// Work allowed for each byte of a file, including the diagnosis.
 const STEPS_PER_BYTE: u64 = 10_000;
 
-#[derive(Clone, Copy, PartialEq)]
-enum Format {
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(in crate::cli) enum Format {
     Text,
     Json,
     Html,
 }
 
-const ENDINGS: &Endings<Format> = &[("html", Format::Html), ("htm", Format::Html), ("txt", Format::Text), ("json", Format::Json)];
+impl OutputFormat for Format {
+    const ENDINGS: &'static Endings<Self> = &[("html", Self::Html), ("htm", Self::Html), ("txt", Self::Text), ("json", Self::Json)];
+    const USUAL: Self = Self::Text;
+    const PAGE: Option<(&'static str, &'static str)> = Some(("html", "a page with plots"));
+    const IS_BESIDE: bool = true;
+}
 
 /// Parses the number of pixels of one file.
 fn pixels_along_a_side(text: &str) -> Result<f64, Failure> {
@@ -104,8 +106,7 @@ fn pixels_along_a_side(text: &str) -> Result<f64, Failure> {
 
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let tolerance = arguments.tol.as_deref().map(|text| input::positive("--tol", text)).transpose()?;
-    let flag = arguments.json.then_some(Format::Json);
-    let report = Destination::beside(arguments.output.as_deref(), flag, Format::Text, ENDINGS, Format::Html)?;
+    let report = arguments.output.destination()?;
     let text = solve::read(&arguments.scene)?;
     let name = arguments.scene.display().to_string();
     let sources: Vec<Source<'_>> = arguments.data.iter().map(|path| source(path)).collect::<Result<_, _>>()?;
@@ -159,8 +160,8 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Format::Text => screen::text(&found, out),
     };
     report.write(write)?;
-    if report.format() == Format::Html {
-        output::print(|out| write(flag.unwrap_or(Format::Text), out))?;
+    if report.format() == Format::Html && !report.is_stdout() {
+        output::print(|out| write(arguments.output.beside(), out))?;
     }
     Ok(if found.passed { Outcome::Done } else { Outcome::Failed })
 }

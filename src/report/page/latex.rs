@@ -46,7 +46,7 @@ const CITATION: &str = "~\\cite{PopovHess2015}";
 
 /// Writes comments, then one block of aligned equations.
 fn fragment(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
-    let mut rows = Vec::new();
+    let (mut rows, mut tables) = (Vec::new(), Vec::new());
     let comment = |own: &Prose| own.written(Notation::Text);
     for block in &page.blocks {
         match block {
@@ -65,9 +65,19 @@ fn fragment(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
             Block::Item("condition", item) => writeln!(out, "% condition: {}", comment(item))?,
             Block::Item(_, own) | Block::Sentence(own) | Block::Remark(own) => writeln!(out, "% {}", comment(own))?,
             Block::Heading(..) => {}
+            Block::Table(heads, own) => tables.push((heads, own)),
         }
     }
-    writeln!(out, "\\begin{{align*}}\n{}\n\\end{{align*}}", rows.join(" \\\\\n"))
+    writeln!(out, "\\begin{{align*}}\n{}\n\\end{{align*}}", rows.join(" \\\\\n"))?;
+    tables.into_iter().try_for_each(|(heads, rows)| table(heads, rows, out))
+}
+
+/// Writes a table whose columns are aligned to the right.
+fn table(heads: &[Prose], rows: &[Vec<Prose>], out: &mut dyn Write) -> io::Result<()> {
+    let line = |cells: &[Prose]| cells.iter().map(|own| own.written(NOTATION)).collect::<Vec<_>>().join(" & ");
+    writeln!(out, "\\begin{{center}}\n\\begin{{tabular}}{{{}}}\n\\hline\n{} \\\\\n\\hline", "r".repeat(heads.len()), line(heads))?;
+    rows.iter().try_for_each(|row| writeln!(out, "{} \\\\", line(row)))?;
+    writeln!(out, "\\hline\n\\end{{tabular}}\n\\end{{center}}")
 }
 
 /// Between the lines of one equation.
@@ -111,6 +121,7 @@ fn text(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
                 }
                 writeln!(out, "\\item {}", own.written(NOTATION))?;
             }
+            Block::Table(heads, rows) => table(heads, rows, out)?,
         }
     }
     if in_list { writeln!(out, "\\end{{itemize}}") } else { Ok(()) }

@@ -1,7 +1,7 @@
 //! Pages in Markdown; every formula is a block of mathematics, followed by its sources.
 
 use super::{Block, Page, Style, lines};
-use crate::print::Notation;
+use crate::print::{Notation, Prose};
 use std::io::{self, Write};
 
 const NOTATION: Notation = Notation::Latex;
@@ -41,21 +41,31 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
             Block::Sentence(own) | Block::Remark(own) => writeln!(out, "{}.", markdown(own).trim_end_matches('.'))?,
             Block::Heading(level, title) => writeln!(out, "{} {title}", "#".repeat(level + 1))?,
             Block::Item(_, own) => writeln!(out, "- {}", markdown(own))?,
+            Block::Table(heads, rows) => {
+                let line = |cells: &[Prose]| {
+                    // GitHub reads a vertical line as the end of a cell, also in a formula.
+                    let cell = |own: &Prose| own.written_with(NOTATION, escaped).replace("\\mid ", "\\vert ").replace('|', "\\vert ");
+                    format!("| {} |", cells.iter().map(cell).collect::<Vec<_>>().join(" | "))
+                };
+                writeln!(out, "{}\n|{}", line(heads), "---|".repeat(heads.len()))?;
+                rows.iter().try_for_each(|row| writeln!(out, "{}", line(row)))?;
+            }
         }
     }
     Ok(())
 }
 
 /// Returns text with formulas between dollar signs.
-fn markdown(prose: &crate::print::Prose) -> String {
-    let escape = |words: &str| {
-        words.chars().fold(String::new(), |mut text, letter| {
-            if matches!(letter, '\\' | '`' | '*' | '_' | '|' | '<' | '>' | '[' | ']' | '$') {
-                text.push('\\');
-            }
-            text.push(letter);
-            text
-        })
-    };
-    prose.written_with(NOTATION, escape)
+fn markdown(prose: &Prose) -> String {
+    prose.written_with(NOTATION, escaped)
+}
+
+fn escaped(words: &str) -> String {
+    words.chars().fold(String::new(), |mut text, letter| {
+        if matches!(letter, '\\' | '`' | '*' | '_' | '|' | '<' | '>' | '[' | ']' | '$') {
+            text.push('\\');
+        }
+        text.push(letter);
+        text
+    })
 }

@@ -1,7 +1,7 @@
 //! Pages as HTML with MathML: an `article` element, or a complete page.
 
 use super::{Block, Page, Style};
-use crate::print::{Notation, escaped, mathml_equation};
+use crate::print::{Notation, Prose, escaped, mathml_equation};
 use crate::report::sheet::SHEET;
 use std::io::{self, Write};
 
@@ -52,6 +52,14 @@ fn article(page: &Page, out: &mut dyn Write) -> io::Result<()> {
                     in_list = true;
                 }
                 writeln!(out, "<li>{}</li>", own.written(NOTATION))?;
+            }
+            Block::Table(heads, rows) => {
+                let cells = |cells: &[Prose], tag: &str| {
+                    cells.iter().map(|own| format!("<{tag}>{}</{tag}>", own.written(NOTATION))).collect::<String>()
+                };
+                writeln!(out, "<table>\n<thead><tr>{}</tr></thead>\n<tbody>", cells(heads, "th"))?;
+                rows.iter().try_for_each(|row| writeln!(out, "<tr>{}</tr>", cells(row, "td")))?;
+                writeln!(out, "</tbody>\n</table>")?;
             }
         }
     }

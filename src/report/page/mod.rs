@@ -8,6 +8,9 @@ mod inversion;
 mod latex;
 mod markdown;
 mod mathml;
+mod rules;
+#[cfg(feature = "scene")]
+mod scene;
 mod sources;
 mod steps;
 mod text;
@@ -44,6 +47,9 @@ enum Block {
     Heading(usize, String),
     /// A list item, with the kind of list.
     Item(&'static str, Prose),
+    /// The heads of columns, and rows of cells.
+    #[cfg_attr(not(feature = "scene"), expect(dead_code, reason = "only pages of scenes have tables"))]
+    Table(Vec<Prose>, Vec<Vec<Prose>>),
 }
 
 /// The values of a variable, from this one on, for which an equation holds.
@@ -118,6 +124,10 @@ impl Page {
             self.heading(1, title);
             self.blocks.extend(items.into_iter().map(|own| Block::Item(kind, own)));
         }
+    }
+
+    fn sentence(&mut self, own: Prose) {
+        self.blocks.push(Block::Sentence(own));
     }
 
     fn heading(&mut self, level: usize, text: &str) {

@@ -48,6 +48,17 @@ pub(super) fn write(page: &Page, notation: Notation, style: Style, out: &mut dyn
                 indent = if page.is_text { 3 * level } else { 2 };
             }
             Block::Item(_, item) => writeln!(out, "{space}{}", item.written(notation))?,
+            Block::Table(heads, rows) => {
+                let cells: Vec<Vec<String>> =
+                    std::iter::once(heads).chain(rows).map(|row| row.iter().map(|own| own.written(notation)).collect()).collect();
+                let breadth =
+                    |column: usize| cells.iter().filter_map(|row| row.get(column)).map(|own| own.chars().count()).max().unwrap_or(0);
+                let widths: Vec<usize> = (0..heads.len()).map(breadth).collect();
+                for row in &cells {
+                    let line: Vec<String> = row.iter().zip(&widths).map(|(own, width)| format!("{own:>width$}")).collect();
+                    writeln!(out, "{space}{}", line.join("  "))?;
+                }
+            }
         }
     }
     Ok(())

@@ -36,6 +36,12 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
             Block::Sentence(own) | Block::Remark(own) => writeln!(out, "{}.\n", own.written(NOTATION).trim_end_matches('.'))?,
             Block::Heading(level, title) => writeln!(out, "\n{} {title}", "=".repeat(level + 1))?,
             Block::Item(_, own) => writeln!(out, "- {}", own.written(NOTATION))?,
+            Block::Table(heads, rows) => {
+                let line = |cells: &[Prose]| cells.iter().map(|own| format!("[{}]", own.written(NOTATION))).collect::<Vec<_>>().join(", ");
+                writeln!(out, "#table(columns: {}, align: right, table.header({}),", heads.len(), line(heads))?;
+                rows.iter().try_for_each(|row| writeln!(out, "  {},", line(row)))?;
+                writeln!(out, ")\n")?;
+            }
         }
     }
     if style.standalone {

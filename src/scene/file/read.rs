@@ -165,10 +165,25 @@ fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, Scene
     let effective_modulus = body::together(first.modulus(&system)?, second.modulus(&system)?, material.span())?;
     let length = tip.length(&system);
     let relatives = if other.is_none() { Simple::relatives(tip.name, &tip.values(&system)) } else { Vec::new() };
-    let parameters = tip.parameters.iter().map(|own| own.symbol.name().to_owned()).collect();
+    let parameters = tip.parameters.iter().map(|own| (own.symbol.name().to_owned(), own.quantity.text().to_owned())).collect();
+    let is_symbolic = other.is_none() && measured.is_none() && named.profile_length.is_none();
+    let symbolic = is_symbolic.then(|| tip.formula.clone());
     let data = declared.map(|own| own.declared(&system)).transpose()?;
     let place = Some(tip.span);
-    let scene = Scene { bodies, measured, relatives, rim, effective_modulus, system, place, length, parameters, data, ..Scene::of(bound) };
+    let scene = Scene {
+        bodies,
+        measured,
+        relatives,
+        rim,
+        effective_modulus,
+        system,
+        place,
+        length,
+        parameters,
+        symbolic,
+        data,
+        ..Scene::of(bound)
+    };
     let mut scene = asked.scene(scene)?;
     if scene.outputs.curves.contains(&Quantity::AxialStress)
         && let Some(body) = [&first, &second].into_iter().find(|own| !own.is_isotropic())

@@ -100,7 +100,7 @@ pub(in crate::validate) fn of_the_model(scene: &Scene, without_poisson: Option<f
         list.push(taken("modulus", text, Taken::Modulus(1.0 / factor)));
     }
     let rim = scene.rim.is_some().then(|| "radius".to_owned());
-    for name in scene.parameters.iter().cloned().chain(rim) {
+    for name in scene.parameters.iter().map(|own| own.0.clone()).chain(rim) {
         let times = |ratio| Taken::Changed(Change::Times { name: name.clone(), ratio });
         list.push(taken(
             "diameter",
