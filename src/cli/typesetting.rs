@@ -3,6 +3,7 @@
 use super::Failure;
 use super::output::{Endings, OutputFormat};
 use super::precision::significant;
+use crate::contact::Quantity;
 use crate::expr::Formula;
 use crate::parse;
 use crate::print::{Presentation, Renaming};
@@ -111,16 +112,16 @@ impl TypesettingArguments {
         self.page.style(format)
     }
 
-    /// Returns the changes to the formulas in the output for a profile.
-    pub(super) fn presentation(&self, profile: &Formula) -> Result<Presentation, Failure> {
+    /// Returns the changes to the formulas in the output for a profile; `quantities` are those in the output, `None` for all.
+    pub(super) fn presentation(&self, profile: &Formula, quantities: Option<&[Quantity]>) -> Result<Presentation, Failure> {
         let count = |text: &str| text.parse().ok().filter(|own: &u32| (1..=Digits::MOST).contains(&(*own as usize)));
         let digits = self.digits.as_deref().map(|text| significant("--digits", text, count)).transpose()?;
         let logarithms = self.inverse_hyperbolic == InverseHyperbolic::Log;
-        Ok(Presentation { names: self.names(profile)?, digits, logarithms, ..Presentation::of(profile) })
+        Ok(Presentation { names: self.names(profile, quantities)?, digits, logarithms, ..Presentation::of(profile) })
     }
 
     /// Returns the new symbol names; two symbols never get the same name.
-    fn names(&self, profile: &Formula) -> Result<Renaming, Failure> {
+    fn names(&self, profile: &Formula, quantities: Option<&[Quantity]>) -> Result<Renaming, Failure> {
         const HELP: &str =
             "expected NAME=NAME, such as --symbols 'E=E_r,d=\\delta'; a name is a letter or a word, with an optional index after _";
         let mut pairs: Vec<(String, String)> = Vec::new();
@@ -143,8 +144,12 @@ impl TypesettingArguments {
             if !known {
                 return Err(Failure::new(format!("--symbols renames {old}, which does not appear in the output")).help(HELP));
             }
-            let stays =
-                |name: &String| (OWN.contains(&name.as_str()) || parameters.contains(name)) && !pairs.iter().any(|(own, _)| own == name);
+            let in_output = |name: &str| match quantities {
+                _ if ALWAYS.contains(&name) => true,
+                Some(list) => list.iter().any(|own| own.left(false).split('(').next() == Some(name) || own.coordinate() == name),
+                None => OWN.contains(&name),
+            };
+            let stays = |name: &String| (in_output(name) || parameters.contains(name)) && !pairs.iter().any(|(own, _)| own == name);
             let is_taken = stays(new) || pairs.iter().take(at).any(|(_, own)| own == new);
             if is_taken || FIXED.contains(&new.as_str()) {
                 return Err(Failure::new(format!("--symbols would rename {old} to {new}, which is already in use")).help(HELP));
@@ -170,6 +175,8 @@ fn characters(text: &str) -> Result<usize, Failure> {
 
 /// The symbols in the output of the program.
 const OWN: [&str; 15] = ["r", "x", "a", "d", "E", "f", "g", "F", "p", "k", "u", "U", "G", "q", "z"];
+/// The symbols in the output for all quantities.
+const ALWAYS: [&str; 6] = ["r", "x", "a", "d", "E", "f"];
 /// Names of constants.
 const FIXED: [&str; 2] = ["pi", "e"];
 

@@ -227,7 +227,7 @@ fn derive_with_a_rim() {
 fn derive_sets_latex() {
     let ran = run(&["derive", "1+r^2/(2*R)", "--format", "latex"]);
     assert_eq!(ran.code, 0);
-    for part in ["% condition: smooth edge: d = g(a)", "% f(0) = 1", "\\begin{align*}", "  g(x) &= ", "  F(d) &= ", "\\end{align*}"] {
+    for part in ["% condition: smooth edge: $d = g(a)$", "% $f(0) = 1$", "\\begin{align*}", "  g(x) &= ", "  F(d) &= ", "\\end{align*}"] {
         assert!(ran.stdout.contains(part), "{part}: {}", ran.stdout);
     }
     assert_eq!(ran.stdout.matches("\\\\\n").count(), 7, "{}", ran.stdout);

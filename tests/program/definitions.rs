@@ -133,3 +133,57 @@ fn labels_name_their_derivation() {
     assert_eq!(all.len(), lists.iter().map(Vec::len).sum::<usize>(), "{lists:?}");
     assert!(lists.iter().all(|own| own.len() > 5), "{lists:?}");
 }
+
+/// Class "a parameter with the letter of a quantity or of a function": pages set it apart by an index, text and JSON keep it as typed.
+#[test]
+fn parameters_that_collide_are_set_apart() {
+    let profiles: [(&str, &str, &[&str]); 6] = [
+        ("F*r^2+p*r^4", "F,p,g", &["F", "p"]),
+        ("k*r+nu*r^3", "k,F", &["k"]),
+        ("piecewise(0,r<K,(r^2-K^2)/(2*F))", "g,p", &["F"]),
+        ("h*(1-cos(r^2/C^2))", "g,F", &["C"]),
+        ("U*r^2+G*r", "F,p", &[]),
+        ("g*r^2+f*r^3+F_0*r", "g,F", &["f", "g"]),
+    ];
+    for (profile, quantities, apart) in profiles {
+        for format in ["latex", "typst", "markdown", "unicode", "mathml"] {
+            for steps in [&[][..], &["--steps"]] {
+                let text = written(&[&["derive", profile, "--quantity", quantities, "--format", format][..], steps].concat());
+                let remarks: Vec<&str> = text.match_indices(" is the parameter ").map(|(at, own)| &text[at + own.len()..]).collect();
+                let mut named: Vec<&str> = remarks.iter().filter_map(|own| own.split(' ').next()).collect();
+                named.sort_unstable();
+                // The short derivation also prints f, g, d, F, p and k on the left.
+                let enough = if steps.is_empty() { named == apart } else { apart.iter().all(|own| named.contains(own)) };
+                assert!(enough, "{profile} {format} {steps:?}: {named:?}");
+            }
+        }
+        let text = written(&["derive", profile, "--quantity", quantities]);
+        assert!(!text.contains(" is the parameter "), "{text}");
+    }
+    let text = written(&["derive", "F*r^2+p*r^4", "--quantity", "F", "--format", "latex"]);
+    assert!(text.contains("F(a) &= \\frac{8}{15} E^{*} a^{3} (8 p a^{2} + 5 F_{0})"), "{text}");
+}
+
+/// Equations and differentials within sentences are one formula each.
+#[test]
+fn sentences_have_whole_formulas() {
+    for profile in ["r^2/(2*R)+r*tan(theta)", "R-sqrt(R^2-r^2)", "max(0,r-b)", "h*exp(-r/w)", "C*r^n"] {
+        for (format, broken) in [("latex", "$ = $"), ("typst", "$ \\= $"), ("mathml", "</math> = <math")] {
+            for steps in ["--steps", "--steps=full"] {
+                let text = written(&["derive", profile, steps, "--format", format]);
+                assert!(!text.contains(broken) && !text.contains("$$"), "{profile} {format} {steps}: {text}");
+            }
+        }
+        let text = written(&["derive", profile, "--steps", "--format", "latex"]);
+        assert!(text.contains("$k = \\mathrm{d}F/\\mathrm{d}d$") && text.contains("$f(0) = "), "{text}");
+    }
+}
+
+/// The name of a quantity that is not in the output is free.
+#[test]
+fn names_that_are_not_in_the_output_are_free() {
+    assert!(written(&["derive", "r^2/(2*R)", "--symbols", "p=q", "--quantity", "p"]).contains("q(r) = 2*E/(pi*R)*sqrt(a^2 - r^2)"));
+    let done =
+        Command::new(env!("CARGO_BIN_EXE_sneddon")).args(["derive", "r^2", "--symbols", "p=q", "--quantity", "p,q"]).output().unwrap();
+    assert_eq!(done.status.code(), Some(2));
+}

@@ -79,3 +79,44 @@ fn pressures_of_gaussian_g_close() {
 
 /// Integrals of the checks keep seven digits, because a root vanishes at their lower ends.
 const TOLERANCE: f64 = 1e-7;
+
+/// Class "a slope angle within a root, a logarithm or an arctangent": the rules of a plain parameter apply, under an acute angle.
+#[test]
+fn angles_in_kernels_are_parameters() {
+    let shapes = [
+        ("sqrt(h^2+r^2*S^2)-h", true),
+        ("sqrt(h^2+r^2/S^2)-h", true),
+        ("h*(sqrt(1+r^2*S^2/h^2)-1)", true),
+        ("1/S-sqrt(1/S^2-r^2/9)", true),
+        ("h*ln(1+r^2*S^2/h^2)", false),
+        ("h*atan(r*S/h)", true),
+        ("h*(1-exp(-r^2*S^2))", false),
+        ("h*(1-cos(r*S/h))", false),
+        ("max(0,sqrt(h^2+r^2*S^2)-2*h)", false),
+    ];
+    let theta: f64 = 0.4;
+    for (shape, has_pressure) in shapes {
+        for (function, value) in [("tan(t)", theta.tan()), ("sin(t)", theta.sin()), ("cos(t)", theta.cos())] {
+            let text = shape.replace('S', function);
+            let own = derived(&text);
+            assert_eq!(own.equivalent_profile().status, Status::Exact, "{text}");
+            let shown = print::text(&own.equivalent_profile().formula);
+            assert!(!shown.contains("hyp"), "{text}: {shown}");
+            assert_eq!(own.pressure().unwrap().status == Status::Exact, has_pressure, "{text}");
+            let plain = derived_with(&shape.replace('S', "s"), &[("s", value), ("h", 0.7)]);
+            let angle = derived_with(&text, &[("t", theta), ("h", 0.7)]);
+            let [plain, angle] = [&plain, &angle].map(|own| contact(own, &[], 1.0, None));
+            for a in [0.9, 1.6] {
+                let pairs = [
+                    (plain.force(a).unwrap().estimate, angle.force(a).unwrap().estimate),
+                    (plain.pressure(0.3, a).unwrap().unwrap().estimate, angle.pressure(0.3, a).unwrap().unwrap().estimate),
+                ];
+                for (plain, angle) in pairs {
+                    // The slope itself is rounded once.
+                    let allowed = plain.error + angle.error + 4.0 * f64::EPSILON * plain.value.abs();
+                    assert!((plain.value - angle.value).abs() <= allowed, "{text}, a = {a}: {plain:?}, {angle:?}");
+                }
+            }
+        }
+    }
+}

@@ -51,7 +51,8 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let edge = arguments.depth.as_deref().map(|text| units.depth(text)).transpose()?.map_or(Edge::Smooth, Edge::Rim);
     let (typed, settings) = if edge == Edge::Smooth { arguments.profile.read(&units)? } else { arguments.profile.read_punch(&units)? };
     let shown = typed.formula.substitute(&settings.exact()).substitute(&Bindings::one(rim_radius().name(), Expr::symbol("a")));
-    let presentation = arguments.typesetting.presentation(&shown)?;
+    let quantities = if arguments.quantity.is_empty() { &Quantity::USUAL } else { arguments.quantity.as_slice() };
+    let presentation = arguments.typesetting.presentation(&shown, arguments.steps.is_none().then_some(quantities))?;
     let failed = |error: ContactError| Failure::profile(&typed.text, &error);
     let profile = settings.exact_profile(&typed).map_err(|error| failed(error.into()))?;
     let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;

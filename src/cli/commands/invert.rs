@@ -76,7 +76,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let set = settings.exact();
         [&own.0, &own.1.depth, &own.1.force].map(|expr| set.apply(expr))
     });
-    let presentation = arguments.typesetting.presentation(&equivalent)?;
+    let presentation = arguments.typesetting.presentation(&equivalent, None)?;
     let check = budget::part(|| transform::check_inverse(&found));
     let record = Inversion {
         pressure: pressure.as_ref().map(|[pressure, depth, force]| Wanted { pressure, depth, force }),

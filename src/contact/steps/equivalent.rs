@@ -86,9 +86,9 @@ fn term(at: usize, count: usize, solved: &SolvedTerm, name: &'static str) -> Ste
         let radius = Expr::symbol("x") * Expr::call("sin", [Expr::symbol(name)]);
         let why = Prose::words("The substitution ")
             .condition(Condition::equal(Expr::symbol("r"), radius))
-            .then(", in which d$r$ = ")
+            .then(", in which $dd r$ = ")
             .formula(root("x", "r"))
-            .then(&format!(" d${name}$"));
+            .then(&format!(" $dd {name}$"));
         steps.push(Step::new("Substitution", &left, substituted, within(segment, why)).from(&["Popov & Heß (3.27)"]));
     }
     steps.extend(constant(solved, rule));

@@ -17,9 +17,9 @@ pub fn inverse_steps(equivalent: &Formula, found: &Derived, at_axis: &Expr) -> V
             over(substituted, "t", Expr::pi() / Expr::integer(2)),
             Prose::words("The substitution ")
                 .condition(Condition::equal(x.clone(), &r * Expr::call("sin", [t])))
-                .then(", in which d$x$ = ")
+                .then(", in which $dd x$ = ")
                 .formula(root())
-                .then(" d$t$"),
+                .then(" $dd t$"),
         ));
     }
     let rules = match found.rules.as_slice() {

@@ -11,7 +11,7 @@ pub(super) fn steps(solution: &Solution, edge: &Edge, relations: &Relations) -> 
     list.push(pressure(edge, relations));
     let why = match edge {
         Edge::Smooth => {
-            "An increment of depth acts as a flat punch of radius $a$, whatever the shape, so that d$F$/d$a$ = 2$E$ $a$ d$d$/d$a$"
+            "An increment of depth acts as a flat punch of radius $a$, whatever the shape, so that $dd F/dd a$ = 2$E$ $a$ $dd d/dd a$"
         }
         Edge::Rim(_) => "The contact radius equals the radius of the rim at every depth",
     };

@@ -106,7 +106,7 @@ fn pressure(edge: &Edge, relations: &Relations) -> Step {
 }
 
 fn stiffness(edge: &Edge, relations: &Relations) -> Step {
-    let why = Prose::read("By definition $k$ = d$F$/d$d$").then(match edge {
+    let why = Prose::read("By definition $k$ = $dd F/dd d$").then(match edge {
         Edge::Smooth => "; an increment of depth acts as a flat punch of radius $a$, whatever the shape",
         Edge::Rim(_) => "; the contact radius equals the radius of the rim at every depth",
     });

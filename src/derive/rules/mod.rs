@@ -32,6 +32,9 @@ pub use power::kappa;
 use crate::derive::angles;
 use crate::derive::rule::{Answer, Rule};
 use crate::derive::term::Term;
+use crate::expr::normal::NormalTerm;
+use crate::expr::{Condition, Expr};
+use crate::integrate::segment::Segment;
 use crate::num::work;
 
 /// Every rule; the order is irrelevant, because rules are disjoint or name the rule that they specialise.
@@ -117,7 +120,39 @@ const LONGEST: u64 = 50_000_000;
 pub(super) const LARGEST: usize = 6_000;
 
 /// The rule for a term, with its result; rules that exceed the work limit or the size limit are skipped.
+///
+/// Where no rule but the general one applies, sines, cosines and tangents of constant angles in the kernel count as positive, which
+/// becomes a condition: sqrt(h² + r² tan²θ) is a hyperboloid.
 pub fn answer(term: &Term) -> Option<(&'static Rule, Answer)> {
+    let direct = nicest(term);
+    let is_special = direct.as_ref().is_some_and(|own| own.0.id != GENERAL.id);
+    if is_special || !term.parts.iter().any(|part| angles::has_angle(&part.kernel)) {
+        return direct;
+    }
+    let kernels = Expr::sum(term.parts.iter().map(|part| part.kernel.clone()));
+    let positive = angles::Positive::of(&kernels);
+    let part = |own: &NormalTerm| NormalTerm {
+        coefficient: positive.replaced(&own.coefficient),
+        exponent: own.exponent.clone(),
+        kernel: positive.replaced(&own.kernel),
+    };
+    let segment =
+        Segment { lower: positive.replaced(&term.segment.lower), upper: term.segment.upper.as_ref().map(|own| positive.replaced(own)) };
+    let replaced = Term { parts: term.parts.iter().map(part).collect(), segment };
+    let found = nicest(&replaced).filter(|own| own.0.id != GENERAL.id);
+    let restored = |own: Answer| {
+        let stated = own.conditions.iter().map(|own| Condition {
+            left: positive.restored(&own.left),
+            relation: own.relation,
+            right: positive.restored(&own.right),
+        });
+        let conditions = stated.chain(angles::conditions(std::iter::once(&kernels))).collect();
+        Answer { conditions, ..own.map(&|expr| positive.restored(expr)) }
+    };
+    found.map(|(rule, own)| (rule, restored(own))).or(direct)
+}
+
+fn nicest(term: &Term) -> Option<(&'static Rule, Answer)> {
     let is_short = |own: &Answer| own.equivalent.within.shown.size_up_to(LARGEST) < LARGEST;
     let apply = |rule: &'static Rule| {
         let found = if work::is_exhausted() { None } else { work::share(LONGEST, || (rule.apply)(term)).flatten() };
@@ -125,9 +160,9 @@ pub fn answer(term: &Term) -> Option<(&'static Rule, Answer)> {
     };
     let answers: Vec<(&'static Rule, Answer)> = RULES.iter().filter(|rule| rule.id != GENERAL.id).filter_map(|rule| apply(rule)).collect();
     let general: Vec<&str> = answers.iter().filter_map(|(rule, _)| rule.specializes).collect();
-    let nicest = answers.into_iter().find(|(rule, _)| !general.contains(&rule.id)).or_else(|| apply(GENERAL));
+    let found = answers.into_iter().find(|(rule, _)| !general.contains(&rule.id)).or_else(|| apply(GENERAL));
     if !angles::has_angle(&term.segment.lower) && !term.segment.upper.as_ref().is_some_and(angles::has_angle) {
-        return nicest;
+        return found;
     }
-    nicest.map(|(rule, own)| (rule, own.map(&angles::without_roots)))
+    found.map(|(rule, own)| (rule, own.map(&angles::without_roots)))
 }

@@ -43,7 +43,7 @@ impl Page {
             let parts = in_order_of_use(rights.flat_map(uses).collect(), defined, uses);
             blocks.insert(last, Block::Where(parts));
         }
-        Self { title: self.title.clone(), mark: self.mark.clone(), radius: self.radius.clone(), is_text: self.is_text, blocks }
+        Self { blocks, ..self.clone() }
     }
 }
 

@@ -107,11 +107,17 @@ fn definition(name: &str, [above, below]: [i64; 2]) -> Option<Prose> {
         }
         "legendre_chi2" => {
             let term = z.pow(&(&two * &n + &one)) / (&two * &n + &one).power(2);
-            is(call("legendre_chi2", &[&z]), "Legendre's chi function, the sum of ").formula(term).then(" over $n$ from 0")
+            let own =
+                is(call("legendre_chi2", &[&z]), "Legendre's chi function, the sum of ").formula(term).then(" over $n$ from 0, which is ");
+            let [plus, minus] = [&z, &-&z].map(|own| call("polylog", &[&two, own]));
+            as_in(own.formula((plus - minus) / &two), "25.12.1")
         }
         "inverse_tangent_integral" => {
             let own = is(call("inverse_tangent_integral", &[&z]), "the inverse tangent integral");
-            integral(own, &one, call("atan", &[&t]) / &t, &zero, &z)
+            as_in(
+                integral(own, &one, call("atan", &[&t]) / &t, &zero, &z).then(", the imaginary part of the dilogarithm of $i$ $z$"),
+                "25.12.1",
+            )
         }
         _ => return None,
     })

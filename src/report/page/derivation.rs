@@ -12,6 +12,7 @@ impl Page {
     pub fn of_derivation(record: &Derivation<'_>) -> Self {
         let presentation = record.presentation;
         let mut page = Self::new("Derived relations", false, presentation);
+        page.parametrize(record.formula(), presentation);
         // A requested f is listed among the other quantities.
         if !record.asked.contains(&Quantity::Profile) {
             page.equation("f", &presentation.name("f(r)"), &presentation.formula(record.formula()), Sources::default());

@@ -11,6 +11,7 @@ impl Page {
     /// Creates the page of the result of `invert`.
     pub fn of_inversion(record: &Inversion<'_>, presentation: &Presentation) -> Self {
         let mut page = Self::new("Profile of an equivalent profile", false, presentation);
+        page.parametrize(record.equivalent, presentation);
         let mut state = |key: &str, left: &str, right: &Formula, sources| {
             page.equation(key, &presentation.name(left), &presentation.formula(right), sources)
         };
@@ -28,6 +29,7 @@ impl Page {
     /// Creates a page with the numbered steps of an inversion, followed by the result.
     pub fn of_inverse_steps(record: &Inversion<'_>, steps: &[Step], presentation: &Presentation) -> Self {
         let mut page = Self::of_numbered("From the equivalent profile to the profile", steps, presentation);
+        page.parametrize(record.equivalent, presentation);
         page.close_inversion(record, presentation);
         page
     }

@@ -1,5 +1,6 @@
 //! Pages in LaTeX: equations with everything else as comments, or as text, or a complete document.
 
+use super::sources::BOOK;
 use super::{Block, Page, Style, lines};
 use crate::expr::Formula;
 use crate::print::{self, Notation, Prose};
@@ -47,7 +48,7 @@ const CITATION: &str = "~\\cite{PopovHess2015}";
 /// Writes comments, then one block of aligned equations.
 fn fragment(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
     let (mut rows, mut tables) = (Vec::new(), Vec::new());
-    let comment = |own: &Prose| own.written(Notation::Text);
+    let comment = |own: &Prose| own.written(NOTATION);
     for block in &page.blocks {
         match block {
             Block::Equation { left, right, range, .. } => {
@@ -109,7 +110,11 @@ fn text(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
                 let rows: Vec<String> = parts.iter().map(|part| definition(part, style)).collect();
                 writeln!(out, "\\noindent where\n\\begin{{align*}}\n{}\n\\end{{align*}}", rows.join(" \\\\\n"))?;
             }
-            Block::Sentence(own) | Block::Remark(own) => writeln!(out, "\n\\noindent {}.", own.written(NOTATION).trim_end_matches('.'))?,
+            Block::Sentence(own) | Block::Remark(own) => {
+                let (words, book) = (own.written(NOTATION), print::latex_words(BOOK));
+                let words = if style.standalone { words.replacen(&book, &format!("{book}{CITATION}"), 1) } else { words };
+                writeln!(out, "\n\\noindent {}.", words.trim_end_matches('.'))?;
+            }
             Block::Heading(level, title) => {
                 let command = ["subsection*", "subsubsection*", "paragraph"].get(level.saturating_sub(1)).unwrap_or(&"paragraph");
                 writeln!(out, "\n\\{command}{{{}}}", print::latex_words(title))?;

@@ -1,5 +1,6 @@
 //! A page of formulas and sentences, independent of its notation; there is one file per notation and one per record.
 
+mod apart;
 mod arranged;
 mod definitions;
 mod derivation;
@@ -22,10 +23,13 @@ use sources::Sources;
 use std::io::{self, Write};
 
 /// A page.
+#[derive(Clone)]
 pub struct Page {
     title: String,
     /// True if sentences are part of the text instead of comments, as for steps and complete documents.
     is_text: bool,
+    /// The parameters of the shape.
+    parameters: Vec<String>,
     /// The symbol of the contact radius.
     radius: String,
     /// The beginning of the labels, from the first formula, so that two derivations have no label in common.
@@ -97,7 +101,7 @@ impl Page {
     /// Returns the errors of the writer.
     pub fn write(&self, format: Format, style: Style, out: &mut dyn Write) -> io::Result<()> {
         let width = style.width.unwrap_or(if format == Format::Unicode { TERMINAL } else { COLUMN });
-        let arranged = |notation| self.arranged(notation, width);
+        let arranged = |notation| self.apart().arranged(notation, width);
         match format {
             Format::Text => text::write(self, Notation::Text, style, out),
             Format::Unicode => text::write(&arranged(Notation::Unicode), Notation::Unicode, style, out),
@@ -109,7 +113,14 @@ impl Page {
     }
 
     fn new(title: &str, is_text: bool, presentation: &Presentation) -> Self {
-        Self { title: title.to_owned(), is_text, radius: presentation.name("a"), mark: String::new(), blocks: Vec::new() }
+        Self {
+            title: title.to_owned(),
+            is_text,
+            parameters: Vec::new(),
+            radius: presentation.name("a"),
+            mark: String::new(),
+            blocks: Vec::new(),
+        }
     }
 
     fn equation(&mut self, key: &str, left: &str, right: &Formula, sources: Sources) {
@@ -117,6 +128,13 @@ impl Page {
             self.mark = format!("{}:", marked(right));
         }
         self.blocks.push(Block::Equation { key: key.to_owned(), left: left.to_owned(), right: right.clone(), range: None, sources });
+    }
+
+    /// States the parameters: the symbols of the shape besides its coordinate.
+    fn parametrize(&mut self, shape: &Formula, presentation: &Presentation) {
+        let names =
+            shape.symbols().into_iter().map(|own| own.name().to_owned()).filter(|own| !matches!(own.as_str(), "r" | "x" | "a" | "d"));
+        self.parameters = names.map(|own| presentation.name(&own)).collect();
     }
 
     fn list(&mut self, title: &str, kind: &'static str, items: Vec<Prose>) {

@@ -3,7 +3,7 @@
 use crate::transform::{Derived, Status};
 
 /// The book whose equations most rules cite.
-const BOOK: &str = "Popov & Heß";
+pub(super) const BOOK: &str = "Popov & Heß";
 
 /// The status of a formula, its rules and its references; nothing for a formula that was given.
 #[derive(Clone, Default)]
@@ -29,7 +29,8 @@ impl Sources {
             [rule] => format!(" | rule {rule}"),
             rules => format!(" | rules {}", rules.join(", ")),
         };
-        let references = if self.references.is_empty() { String::new() } else { format!(" | {}", self.references.join("; ")) };
+        let references = joined(&self.references, "", str::to_owned);
+        let references = if references.is_empty() { references } else { format!(" | {references}") };
         let compared = if self.compared { "" } else { ", not compared with quadrature" };
         Some(format!("{}{compared}{rules}{references}", self.status?.name()))
     }
@@ -46,17 +47,23 @@ impl Sources {
             Status::Numeric => "Left as an integral",
         };
         let compared = if self.compared { "" } else { ", not compared with quadrature" };
-        let equation = |own: &&'static str| own.strip_prefix(BOOK).map(str::trim);
-        let mut equations: Vec<&str> = Vec::new();
-        for own in self.references.iter().filter_map(equation).flat_map(|own| own.split(", ")) {
-            if !equations.contains(&own) {
-                equations.push(own);
-            }
-        }
-        let book = (!equations.is_empty()).then(|| format!("{}{citation} {}", escape(BOOK), escape(&equations.join(", "))));
-        let others = self.references.iter().filter(|own| equation(own).is_none()).map(|own| escape(own));
-        let references: Vec<String> = book.into_iter().chain(others).collect();
-        let references = if references.is_empty() { String::new() } else { format!(": {}", references.join("; ")) };
+        let references = joined(&self.references, citation, escape);
+        let references = if references.is_empty() { references } else { format!(": {references}") };
         Some(format!("{status}{compared}{references}."))
     }
+}
+
+/// References with the equations of the book as one, with `citation` behind its authors.
+pub(super) fn joined(references: &[&'static str], citation: &str, escape: impl Fn(&str) -> String) -> String {
+    // The general formula is equation (3.27) of the book.
+    let equation = |own: &&'static str| own.strip_prefix("general formula, ").unwrap_or(own).strip_prefix(BOOK).map(str::trim);
+    let mut equations: Vec<&str> = Vec::new();
+    for own in references.iter().filter_map(equation).flat_map(|own| own.split(", ")) {
+        if !equations.contains(&own) {
+            equations.push(own);
+        }
+    }
+    let book = (!equations.is_empty()).then(|| format!("{}{citation} {}", escape(BOOK), escape(&equations.join(", "))));
+    let others = references.iter().filter(|own| equation(own).is_none()).map(|own| escape(own));
+    book.into_iter().chain(others).collect::<Vec<_>>().join("; ")
 }

@@ -1,7 +1,7 @@
 //! The page of a step-by-step derivation.
 
 use super::sources::Sources;
-use super::{Block, Page};
+use super::{Block, Page, sources};
 use crate::contact::Step;
 use crate::print::{Presentation, Prose};
 use crate::report::Derivation;
@@ -10,6 +10,7 @@ impl Page {
     /// Creates a page with the numbered steps of a derivation, then notes and the check.
     pub fn of_steps(record: &Derivation<'_>, steps: &[Step]) -> Self {
         let mut page = Self::of_numbered("Derivation", steps, record.presentation);
+        page.parametrize(record.formula(), record.presentation);
         let shown: Vec<_> = record.entries().into_iter().filter_map(|entry| Some(entry.derived?.formula.clone())).collect();
         page.close_steps(record, &shown);
         page
@@ -36,7 +37,7 @@ impl Page {
             }
             let mut reason = step.reason.presented(presentation);
             if !step.reference.is_empty() {
-                let sources = format!(" [{}]", step.reference.join("; "));
+                let sources = format!(" [{}]", sources::joined(&step.reference, "", str::to_owned));
                 reason = reason.followed_by(&Prose::words(&sources));
             }
             if !reason.is_empty() {

@@ -7,7 +7,7 @@ use std::io::{self, Write};
 const NOTATION: Notation = Notation::Typst;
 
 /// The beginning of every document.
-const PREAMBLE: &str = "#set page(margin: 3cm)\n#set text(size: 10pt)\n#set math.equation(numbering: \"(1)\")\n";
+const PREAMBLE: &str = "#set page(margin: 3cm)\n#set text(size: 10pt)\n#set math.equation(numbering: \"(1)\")\n#show math.equation: set block(breakable: true)\n";
 
 pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
     if style.standalone {
@@ -31,7 +31,7 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
                     format!("{} &= {}", NOTATION.name(name), lines(name, own, None, NOTATION, width).join(" \\\n  &quad "))
                 };
                 let rows = parts.iter().map(row);
-                writeln!(out, "where\n$ {} $\n", rows.collect::<Vec<_>>().join(" \\\n  "))?;
+                writeln!(out, "where\n#math.equation(block: true, numbering: none, $ {} $)\n", rows.collect::<Vec<_>>().join(" \\\n  "))?;
             }
             Block::Sentence(own) | Block::Remark(own) => writeln!(out, "{}.\n", own.written(NOTATION).trim_end_matches('.'))?,
             Block::Heading(level, title) => writeln!(out, "\n{} {title}", "=".repeat(level + 1))?,
