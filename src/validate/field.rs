@@ -2,9 +2,10 @@
 
 use super::exact::{Exact, Pressures};
 use super::loads::{BLIND_ROW, HEADROOM, Judge, decided, single};
+use super::mirrored::Mirrored;
 use super::norms::{GOLDEN, Norms, Outlier, Sample};
 use super::peak::{CUT, Peak};
-use super::record::{Beyond, Column, Excluded, Plot};
+use super::record::{Beyond, Column, Excluded, Plot, significant};
 use super::region::{Region, excused};
 use super::rim::Expected;
 use super::shells::Shells;
@@ -13,6 +14,7 @@ use crate::contact::{Boundary, State};
 use crate::scene::Scene;
 use crate::validate::diagnosis::displacement::Displacements;
 use crate::validate::file::column::Kind;
+use crate::validate::file::lattice::Offset;
 use crate::validate::file::layout::Averaging;
 use crate::validate::file::pixel::Pixel;
 use crate::validate::file::survey::{Cell, Places, Survey};
@@ -165,7 +167,13 @@ pub(super) fn compare(
             near.iter().zip(found.chunks(3)).for_each(|(spot, exact)| own.add_at_edge(spot, exact));
         }
     }
+    for unequal in own.mirrored.unequal(own.mean, HEADROOM * judge.demanded.unwrap_or(0.0)) {
+        own.compared.suspect(unequal.own, unequal.difference, unequal.limit);
+    }
     let mut report = own.report(survey, scene, exact, pixel, judge);
+    if own.mirrored.repeated() > 0 {
+        report.notes.push(format!("{} points are in the data more than once", own.mirrored.repeated()));
+    }
     if at_u.is_some() {
         // Around a rim the displacement changes as fast as the pressure inside, so its error is larger than the error of the force.
         let allowed = judge.allowed(pixel.pixel, state, room) * if state.boundary == Boundary::Rim { RIM_OUTSIDE } else { 1.0 };
@@ -196,7 +204,8 @@ pub(super) fn compare(
     let shown = |p: f64| sign * survey.shown(Kind::Pressure, p);
     // If the norms fail as well, a wrong axis or another fault may explain the data, and the diagnosis decides.
     let holds = own.compared.l2() <= own.compared.allowed();
-    let cut_off = own.peak.suspicion(shown, own.compared.l2()).filter(|_| holds);
+    let top = |p: f64| significant(shown(p), &survey.unit(Kind::Pressure, scene));
+    let cut_off = own.peak.suspicion(top, own.compared.l2()).filter(|_| holds);
     let single = cut_off.or_else(|| {
         let unit = |kind: Kind| survey.unit(kind, scene);
         let place = |r: f64| format!("r = {} {}", survey.shown(survey.distance(), r), unit(survey.distance()));
@@ -223,6 +232,7 @@ struct Sums {
     compared: Norms,
     left_out: Norms,
     peak: Peak,
+    mirrored: Mirrored,
     infinite: u64,
     spots: Sample<Spot>,
     errors: Sample<(f64, f64, f64)>,
@@ -249,6 +259,7 @@ impl Sums {
             compared: Norms::new(false),
             left_out: Norms::new(false),
             peak: Peak::default(),
+            mirrored: Mirrored::new(survey.lattice.filter(|own| own.offset != Offset::Line).map(|own| own.pixel)),
             infinite: 0,
             spots: Sample::new(KEPT),
             errors: Sample::new(KEPT_ERRORS),
@@ -272,6 +283,7 @@ impl Sums {
             self.infinite += 1;
             return;
         }
+        self.mirrored.add(spot.x, spot.y, Outlier { at: spot.r, data: spot.p, exact, allowed: 0.0 });
         self.peak.add(spot.r, spot.p, exact);
         let holds = region.holds(spot.r);
         if holds || region.lies_between(spot.r, pixel.pixel) {
@@ -329,7 +341,9 @@ impl Sums {
             columns.push(column);
             match self.force.total() {
                 Some((data, sum, radius)) => columns.push(self.integrated(exact, (data, sum, radius), pixel, judge)),
-                None => notes.push("the force of the pressures is not judged, since the lattice is incomplete".to_owned()),
+                None => {
+                    notes.push("the force of the pressures is not judged, since points of the lattice are missing or repeated".to_owned())
+                }
             }
         }
         let unit = |kind: Kind| units::shown(kind.symbol(), &survey.unit(kind, scene));

@@ -1,9 +1,9 @@
 //! A file with loads, compared row by row: force and contact radius at the depth of the data, or depth and radius at the force of the data.
 
-use super::exact::Exact;
+use super::exact::{Exact, States};
 use super::neighbours::Neighbours;
 use super::norms::{Norms, Outlier, Sample};
-use super::record::{Column, Plot};
+use super::record::{Column, Plot, significant};
 use super::rim::Expected;
 use super::{FileReport, Suspicion, ValidationError};
 use crate::contact::{Boundary, Load, State};
@@ -124,11 +124,13 @@ pub(super) fn compare(
     let (mut rows, mut radii) = (Neighbours::new(2, CLEAR + HEADROOM * judge.solver), Neighbours::new(1, CLEAR_RADIUS));
     let mut others = [Kind::Energy, Kind::Stiffness].map(|kind| (kind, survey.index(kind), Norms::new(true)));
     let control_kind = if control == Control::Depth { Kind::Depth } else { Kind::Force };
+    let load_of: fn(f64) -> Load = if control == Control::Depth { Load::Depth } else { Load::Force };
+    let mut states = States::new(exact, judge.demanded);
     while table.next(&mut values)?.is_some() {
         let row = row(survey, declared, &values);
         kept.push(row);
         let load = if control == Control::Depth { row.depth } else { row.force };
-        let Some(state) = exact.state(if control == Control::Depth { Load::Depth(load) } else { Load::Force(load) }) else {
+        let Some(state) = states.at(load_of(load)) else {
             unmatched += 1;
             continue;
         };
@@ -147,13 +149,13 @@ pub(super) fn compare(
             depth.limit(Outlier { at, data: row.depth, exact: exact.depth(&state), allowed }, limit);
             deciding = Some((row.depth, exact.depth(&state)));
             // The same error expressed as an error of the force, for comparison with other runs; it is not judged.
-            if let Some(own) = exact.state(Load::Depth(row.depth)) {
+            if let Some(own) = states.at(Load::Depth(row.depth)) {
                 force.add(at, load, row.force, own.force, allowed);
             }
         }
         if let (Some(pixel), None) = (pixel.pixel, judge.demanded)
             && state.boundary == Boundary::Rim
-            && let Some(own) = if control == Control::Depth { Some(state) } else { exact.state(Load::Depth(row.depth)) }
+            && let Some(own) = if control == Control::Depth { Some(state) } else { states.at(Load::Depth(row.depth)) }
             && let Some(expected) = Expected::missed(exact, &own, (row.force, row.radius), pixel)
         {
             if control == Control::Depth {
@@ -229,7 +231,7 @@ pub(super) fn compare(
     }
     report.columns.extend(others.iter().filter(|own| own.1.is_some()).map(|(kind, _, norms)| decided(kind.symbol(), norms, true)));
     let largest = kept.items.iter().map(|row: &Row| if control == Control::Depth { row.depth } else { row.force }).fold(0.0, f64::max);
-    let state = exact.state(if control == Control::Depth { Load::Depth(largest) } else { Load::Force(largest) });
+    let state = exact.state(load_of(largest));
     report.pixel = pixel.pixel.zip(state.map(|own| own.radius)).map(|(h, a)| h / a);
     let kind = match column {
         "F" => Kind::Force,
@@ -283,14 +285,11 @@ pub(super) fn single(
 ) -> Option<Suspicion> {
     let (own, after) = norms.single().filter(|_| norms.l2() > norms.allowed() || norms.beyond().is_some())?;
     let with_unit = |value: f64| format!("{value} {unit}").trim_end().to_owned();
-    let exact = shown(own.exact);
-    // Seven digits of the exact value, written as the data are.
-    let exact = format!("{exact:.6e}").parse().unwrap_or(exact);
     let text = format!(
         "one row has an error: {name} = {} at {}, but the exact value is {}",
         with_unit(shown(own.data)),
         place(own.at).trim_end(),
-        with_unit(exact)
+        significant(shown(own.exact), unit)
     );
     Some(Suspicion { id: "single-row", text, before: norms.l2(), after })
 }

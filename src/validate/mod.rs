@@ -6,6 +6,7 @@ mod exact;
 mod field;
 pub(crate) mod file;
 mod loads;
+mod mirrored;
 mod neighbours;
 mod norms;
 mod order;

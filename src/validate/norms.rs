@@ -113,7 +113,11 @@ impl Norms {
 
     /// The same with the limit relative to `scale`, for rows whose exact value is 0.
     pub(super) fn limit_relative_to(&mut self, scale: f64, own: Outlier, limit: f64) {
-        let error = ratio(own.difference(), scale);
+        self.suspect(own, ratio(own.difference(), scale), limit);
+    }
+
+    /// Notes a row whose error, by whatever measure, exceeds the limit.
+    pub(super) fn suspect(&mut self, own: Outlier, error: f64, limit: f64) {
         let known = |other: &Outlier| other.at == own.at && other.data == own.data;
         if error <= limit || self.suspects.iter().any(|other| known(&other.1)) {
             return;

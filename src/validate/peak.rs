@@ -49,10 +49,10 @@ impl Peak {
         is_cut.then_some(Outlier { at: self.at, data: self.p, exact: self.high, allowed: 0.0 })
     }
 
-    /// Creates the fault; the largest pressure is in the unit of the column, and `after` is the L2 error of the compared points.
-    pub(super) fn suspicion(&self, largest: impl Fn(f64) -> f64, after: f64) -> Option<Suspicion> {
+    /// Creates the fault; `largest` writes a pressure with its unit, and `after` is the L2 error of the compared points.
+    pub(super) fn suspicion(&self, largest: impl Fn(f64) -> String, after: f64) -> Option<Suspicion> {
         self.cut_off()?;
-        let text = format!("clipped pressures: none is larger than {:.6e}", largest(self.p));
+        let text = format!("clipped pressures: none is larger than {}", largest(self.p));
         Some(Suspicion { id: "cut-off", text, before: (self.lack / self.exact).sqrt(), after })
     }
 }

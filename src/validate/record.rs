@@ -133,3 +133,11 @@ pub struct Validation {
     /// Warnings about the exact solution.
     pub warnings: Vec<String>,
 }
+
+/// Seven digits of a value, with its unit.
+pub(super) fn significant(value: f64, unit: &str) -> String {
+    let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);
+    let is_plain = rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs());
+    let number = if is_plain { rounded.to_string() } else { format!("{rounded:e}") };
+    format!("{number} {unit}").trim_end().to_owned()
+}

@@ -3,11 +3,12 @@
 use super::diagnosis::{self, Evidence, Unfinished};
 use super::exact::Exact;
 use super::order::Level;
+use super::record::significant;
 use super::region::Region;
 use super::verdict::{Verdict, verdict};
 use super::{FileReport, Suspicion, Validation, ValidationError, field, loads};
 use crate::contact::{Boundary, Load, State};
-use crate::scene::{Change, Control, Scene, Walls, scene_for_data};
+use crate::scene::{Change, Control, Dimension, Scene, Walls, scene_for_data};
 use crate::validate::diagnosis::placing::placings;
 use crate::validate::diagnosis::score::Gauge;
 use crate::validate::file::column::Kind;
@@ -56,10 +57,11 @@ pub fn validate(request: &Request<'_>) -> Result<Validation, ValidationError> {
         return Err(error);
     }
     let work = Work { request, scene, judge: judge(request, scene) };
+    let length = |own: f64| significant(own * scene.system.out(Dimension::LENGTH), &scene.system.unit_name(Dimension::LENGTH));
     let mut parts = Vec::new();
     for (content, mut own) in groups(&mut surveys) {
-        let pixels = pixels(&mut own, content, scene.data.as_ref(), request.grid)?;
-        let contradiction = contradiction(&pixels);
+        let pixels = pixels(&mut own, content, scene.data.as_ref(), request.grid, &length)?;
+        let contradiction = contradiction(&pixels, &length);
         let mut files: Vec<(&Survey<'_>, Pixel)> = own.into_iter().map(|own| &*own).zip(pixels).collect();
         files.sort_by(|one, other| other.1.relative.total_cmp(&one.1.relative));
         let part = if content == Content::Loads { work.loads(&files)? } else { work.field(&files)? };
@@ -246,7 +248,11 @@ impl Work<'_> {
             let reach = exact.state(load).map_or(margin, |own| own.radius);
             let gauge = Gauge { pixel, margin: reach, cell: None, solver: self.judge.solver, demanded: finest.tolerance, by_force };
             let factors = files.last().map_or(Row { depth: 1.0, force: 1.0, radius: 1.0 }, |own| own.0.row_factors());
-            let evidence = Evidence::Loads { rows: finest.rows.clone(), factors };
+            let evidence = Evidence::Loads {
+                rows: finest.rows.clone(),
+                factors,
+                columns: files.last().map_or_else(Vec::new, |own| own.0.labels(self.scene)),
+            };
             diagnosis::diagnose(self.request.text, self.scene, &evidence, &gauge)
         };
         Ok(Part { load: None, verdict, suspicion, files: all.into_iter().map(|own| own.report).collect(), warnings: solution.warnings() })
@@ -322,6 +328,7 @@ impl Work<'_> {
             side: pixel.side.or_else(|| survey.filled_square()),
             placings: placings(&survey.extent, pixel.pixel, pixel.side),
             factors: survey.place_factors(),
+            columns: survey.labels(self.scene),
         };
         diagnosis::diagnose(self.request.text, self.scene, &evidence, &gauge)
     }

@@ -7,6 +7,8 @@ mod displacement;
 mod images;
 mod kinks;
 mod lattice;
+mod mirrored;
 mod order;
 mod placing;
+mod tables;
 mod validate;

@@ -1,6 +1,6 @@
 //! The diagnosis of files with fields.
 
-use super::hypothesis::{self, Exchange, Slip, Taken};
+use super::hypothesis::{self, Columns, Exchange, Slip, Taken};
 use super::images::{self, Images};
 use super::score::{Gauge, Score};
 use super::{Evidence, Found, Trial, Tried, minimum, minimum_by, score, thinned};
@@ -10,6 +10,7 @@ use crate::scene::{Control, Scene};
 use crate::transform::Profile;
 use crate::validate::exact::{Exact, Formula, Pressures};
 use crate::validate::field::Spot;
+use crate::validate::record::significant;
 use crate::validate::region::Region;
 
 /// Golden-section steps in the search for the side of a box; each requires a new exact solution, and together they are accurate to about 1e-4.
@@ -17,7 +18,7 @@ const SECTIONS_OF_A_SIDE: u32 = 14;
 
 impl Trial<'_> {
     pub(super) fn field(&self, evidence: &Evidence) -> Option<Found> {
-        let Evidence::Field { spots: all, state, held, side, placings, factors } = evidence else { return None };
+        let Evidence::Field { spots: all, state, held, side, placings, factors, columns } = evidence else { return None };
         // Exclude points outside the contact by their zero pressure, since r may be in another unit.
         let inside: Vec<Spot> = all.iter().copied().filter(|spot| spot.p != 0.0).collect();
         let solution = self.scene.solution().ok()?;
@@ -30,7 +31,7 @@ impl Trial<'_> {
         let chosen = [&clear, &inside].into_iter().find(|own| own.len() >= 8).map_or(all.as_slice(), Vec::as_slice);
         let spots = thinned(chosen);
         // Use all points here: a sample may not contain any clipped pressures.
-        if let Some(cut_off) = self.cut_off(&known, &clear, factors.1) {
+        if let Some(cut_off) = self.cut_off(&known, &clear, factors.1, columns) {
             let whole = score::field(&known, &clear, self.gauge);
             if super::chosen(whole, vec![cut_off.clone()]).is_some() {
                 return Some((whole, vec![cut_off]));
@@ -41,7 +42,7 @@ impl Trial<'_> {
             return self.lost(&known, all);
         }
         let mut tried = Vec::new();
-        for fault in self.faults(&hypothesis::of_field(self.gauge.pixel, *factors)) {
+        for fault in self.faults(&hypothesis::of_field(columns, self.gauge.pixel, *factors)) {
             let spots = placed(&spots, &fault.slip, *factors);
             if fault.taken == Taken::AsIs {
                 // An inferred pixel scales with the coordinates, a declared pixel does not.
@@ -88,14 +89,15 @@ impl Trial<'_> {
     }
 
     /// Checks for clipped pressures: several points have the largest pressure, and the other pressures are correct.
-    fn cut_off(&self, known: &Pressures<'_>, clear: &[Spot], factor: f64) -> Option<Tried> {
+    fn cut_off(&self, known: &Pressures<'_>, clear: &[Spot], factor: f64, columns: &Columns) -> Option<Tried> {
         const FEWEST: usize = 3;
         let top = clear.iter().map(|spot| spot.p).fold(0.0, f64::max);
         let (flat, kept): (Vec<Spot>, Vec<Spot>) = clear.iter().partition(|spot| spot.p >= top * (1.0 - 1e-9));
         if flat.len() < FEWEST {
             return None;
         }
-        let text = format!("clipped pressures: none is larger than {:.6e}", top / factor);
+        let unit = columns.iter().find(|own| own.0 == "p").map_or("", |own| own.2.as_str());
+        let text = format!("clipped pressures: none is larger than {}", significant(top / factor, unit));
         Some(Tried { id: "cut-off", text, score: score::field(known, &thinned(&kept), self.gauge)?, free: false, rough: false })
     }
 

@@ -1,5 +1,6 @@
 //! Common mistakes: each entry is a change of the scene or of the data that corrects the mistake.
 
+use crate::expr::{Expr, Formula, Node, Symbol};
 use crate::scene::{Change, Scene};
 use crate::validate::file::row::Row;
 use std::f64::consts::PI;
@@ -101,17 +102,15 @@ pub(in crate::validate) fn of_the_model(scene: &Scene, without_poisson: Option<f
     }
     let rim = scene.rim.is_some().then(|| "radius".to_owned());
     for name in scene.parameters.iter().map(|own| own.0.clone()).chain(rim) {
-        let times = |ratio| Taken::Changed(Change::Times { name: name.clone(), ratio });
-        list.push(taken(
-            "diameter",
-            format!("diameter and radius confused: the data fit twice the {name} of the scene, so {name} may be a diameter"),
-            times((2, 1)),
-        ));
-        list.push(taken(
-            "diameter",
-            format!("diameter and radius confused: the data fit half the {name} of the scene, so {name} may be a diameter"),
-            times((1, 2)),
-        ));
+        for (size, ratio) in [("twice", (2, 1)), ("half", (1, 2))] {
+            let change = Taken::Changed(Change::Times { name: name.clone(), ratio });
+            let fits = format!("the data fit {size} the {name} of the scene");
+            list.push(if is_angle(scene, &name) {
+                taken("angle", format!("opening angle and half-opening angle confused: {fits}"), change)
+            } else {
+                taken("diameter", format!("diameter and radius confused: {fits}, so {name} may be a diameter"), change)
+            });
+        }
         list.push(taken(
             "angle",
             format!("half-opening angle and surface angle confused: the data fit 90 degrees minus the {name} of the scene"),
@@ -132,29 +131,49 @@ pub(in crate::validate) fn of_the_model(scene: &Scene, without_poisson: Option<f
     list
 }
 
-/// Returns powers of ten that may be lost in a unit conversion.
-fn tens() -> impl Iterator<Item = (i32, f64)> {
-    (-12..=12).filter(|power| *power != 0).map(|power| (power, 10f64.powi(power)))
-}
-
-/// Returns a phrase for two units that differ by a power of ten, such as `, as for numbers in mm read as m`; empty if there are none.
-fn units_apart(symbol: &str, power: i32) -> String {
-    // In decreasing order, by factors of 1000.
-    let units: [&str; 5] = match symbol {
-        "F" => ["N", "mN", "uN", "nN", "pN"],
-        "p" => ["GPa", "MPa", "kPa", "Pa", "mPa"],
-        _ => ["m", "mm", "um", "nm", "pm"],
+/// Returns true for a parameter in the argument of a sine, cosine or tangent.
+fn is_angle(scene: &Scene, name: &str) -> bool {
+    let symbol = Symbol::new(name);
+    let turns = |own: &Expr| match own.node() {
+        Node::Function(function, arguments) => {
+            matches!(function.name(), "sin" | "cos" | "tan")
+                && arguments.iter().any(|own| own.contains(&symbol) && !own.contains(&Symbol::new("r")))
+        }
+        _ => false,
     };
-    let steps = power.unsigned_abs() as usize / 3;
-    let (Some(large), Some(small)) = (units.first(), units.get(steps).filter(|_| power % 3 == 0)) else { return String::new() };
-    // Small units give large numbers.
-    let (own, read) = if power > 0 { (small, large) } else { (large, small) };
-    format!(", as for numbers in {own} read as {read}")
+    scene.symbolic.iter().flat_map(Formula::expressions).flat_map(Expr::parts).any(turns)
 }
 
-/// Creates the fault of numbers that are too large by a power of ten.
-fn power_of_ten(subject: &str, symbol: &str, (power, factor): (i32, f64), of: fn(f64) -> Slip) -> Fault {
-    slip("unit", format!("unit slip: {subject} 10^{power} times too large{}", units_apart(symbol, power)), of(factor))
+/// Returns powers of ten that may be lost in a unit conversion, those between prefixes of units first.
+fn tens() -> impl Iterator<Item = (i32, f64)> {
+    let powers = |is_prefix: bool| (-12..=12).filter(move |power| *power != 0 && (power % 3 == 0) == is_prefix);
+    powers(true).chain(powers(false)).map(|power| (power, 10f64.powi(power)))
+}
+
+/// The symbols of the columns, how they are named in a sentence, and their units, which may be empty.
+pub(in crate::validate) type Columns = Vec<(&'static str, &'static str, String)>;
+
+/// Prefixes of units, with their powers of ten.
+const PREFIXES: [(&str, i32); 8] = [("p", -12), ("n", -9), ("u", -6), ("m", -3), ("", 0), ("k", 3), ("M", 6), ("G", 9)];
+
+/// Returns the unit that is smaller by a power of ten, such as um for mm and 3; `None` if there is no prefix for it.
+fn smaller(unit: &str, power: i32) -> Option<String> {
+    let base = ["Pa", "N", "m"].into_iter().find(|base| unit.ends_with(base))?;
+    let prefix = unit.strip_suffix(base)?;
+    let own = PREFIXES.iter().find(|own| own.0 == prefix)?.1;
+    PREFIXES.iter().find(|known| known.1 == own - power).map(|(prefix, _)| format!("{prefix}{base}"))
+}
+
+/// Creates the fault of numbers that are too large or too small by a power of ten, with the unit that they have instead of their own.
+fn power_of_ten(symbols: &[&str], columns: &Columns, (power, factor): (i32, f64), of: fn(f64) -> Slip) -> Fault {
+    let known = |symbol: &&str| columns.iter().find(|own| own.0 == *symbol);
+    let names: Vec<&str> = symbols.iter().map(|symbol| known(symbol).map_or(*symbol, |own| own.1)).collect();
+    let are = if names.len() > 1 { "are" } else { "is" };
+    let size = if power > 0 { "large" } else { "small" };
+    let unit = symbols.first().and_then(known).map_or("", |own| own.2.as_str());
+    let meant = smaller(unit, power).map_or_else(String::new, |own| format!(": the numbers are in {own}, but were read as {unit}"));
+    let text = format!("unit slip: {} {are} 10^{} times too {size}{meant}", names.join(" and "), power.abs());
+    slip("unit", text, of(factor))
 }
 
 /// Creates the faults of numbers that are too large or too small by the ratio of two units.
@@ -178,7 +197,7 @@ const FACTORS: [(&str, f64, &str); 10] = [
 ];
 
 /// Returns the faults of files with loads.
-pub(in crate::validate) fn of_loads() -> Vec<Fault> {
+pub(in crate::validate) fn of_loads(columns: &Columns) -> Vec<Fault> {
     let mut list = Vec::new();
     let none = Slip::NONE;
     for (id, force, text) in FACTORS {
@@ -192,10 +211,10 @@ pub(in crate::validate) fn of_loads() -> Vec<Fault> {
     ));
     list.push(slip("sign", "the depths have the opposite sign", Slip { depth: -1.0, ..none }));
     for ten in tens() {
-        list.push(power_of_ten("F is", "F", ten, |force| Slip { force, ..Slip::NONE }));
-        list.push(power_of_ten("d is", "d", ten, |depth| Slip { depth, ..Slip::NONE }));
-        list.push(power_of_ten("a is", "a", ten, |radius| Slip { radius, ..Slip::NONE }));
-        list.push(power_of_ten("d and a are", "d", ten, |own| Slip { depth: own, radius: own, ..Slip::NONE }));
+        list.push(power_of_ten(&["F"], columns, ten, |force| Slip { force, ..Slip::NONE }));
+        list.push(power_of_ten(&["d"], columns, ten, |depth| Slip { depth, ..Slip::NONE }));
+        list.push(power_of_ten(&["a"], columns, ten, |radius| Slip { radius, ..Slip::NONE }));
+        list.push(power_of_ten(&["d", "a"], columns, ten, |own| Slip { depth: own, radius: own, ..Slip::NONE }));
     }
     for units in [(9.806_65, "kgf and N"), (4.448_221_615_260_5, "lbf and N")] {
         list.extend(ratio_of_units("F", units, |force| Slip { force, ..Slip::NONE }));
@@ -237,7 +256,7 @@ pub(in crate::validate) fn of_loads() -> Vec<Fault> {
 }
 
 /// Returns the faults of files with pressures; the pixel is optional, and `factors` converts the columns r and p to computing units.
-pub(in crate::validate) fn of_field(pixel: Option<f64>, (length, pressure): (f64, f64)) -> Vec<Fault> {
+pub(in crate::validate) fn of_field(columns: &Columns, pixel: Option<f64>, (length, pressure): (f64, f64)) -> Vec<Fault> {
     let mut list = Vec::new();
     let none = Slip::NONE;
     if let Some(pixel) = pixel {
@@ -252,8 +271,8 @@ pub(in crate::validate) fn of_field(pixel: Option<f64>, (length, pressure): (f64
         list.push(slip(id, format!("{text} {what}"), Slip { pressure, ..none }));
     }
     for ten in tens() {
-        list.push(power_of_ten("p is", "p", ten, |pressure| Slip { pressure, ..Slip::NONE }));
-        list.push(power_of_ten("r is", "r", ten, |distance| Slip { distance, ..Slip::NONE }));
+        list.push(power_of_ten(&["p"], columns, ten, |pressure| Slip { pressure, ..Slip::NONE }));
+        list.push(power_of_ten(&["r"], columns, ten, |distance| Slip { distance, ..Slip::NONE }));
     }
     for units in [(6_894.757_293_168, "psi and Pa"), (9.806_65, "kgf and N"), (1e6 / 98_066.5, "MPa and kgf/cm^2")] {
         list.extend(ratio_of_units("p", units, |pressure| Slip { pressure, ..Slip::NONE }));

@@ -3,11 +3,12 @@
 use super::hypothesis::{self, Exchange, Fault, Slip, Taken};
 use super::{Found, TRIED, Trial, Tried, minimum, score, thinned};
 use crate::contact::{Load, State};
-use crate::validate::exact::Exact;
+use crate::validate::exact::{Exact, States};
 use crate::validate::file::row::Row;
+use std::cell::RefCell;
 
 impl Trial<'_> {
-    pub(super) fn loads(&self, all: &[Row], factors: &Row) -> Option<Found> {
+    pub(super) fn loads(&self, all: &[Row], factors: &Row, columns: &hypothesis::Columns) -> Option<Found> {
         let rows = &thinned(all);
         // A sample of the rows would not contain the row with the next load.
         let neighbours = all.get(all.len().saturating_sub(TRIED)..)?;
@@ -15,12 +16,17 @@ impl Trial<'_> {
         let largest = score::largest(rows, self.gauge.by_force);
         let exact = Exact::new(self.scene, &solution, largest).ok()?;
         let states = score::states(&exact, rows, self.gauge.by_force);
+        let known = RefCell::new(States::new(&exact, None));
         let before = score::under(&exact, rows, &states, self.gauge);
-        let faults = self.faults(&hypothesis::of_loads());
+        let faults = self.faults(&hypothesis::of_loads(columns));
         // The budget may be exhausted: faults that keep the loads require no new contacts and are tried first, faults with the largest loads last.
         let mut order: Vec<(usize, &Fault)> = faults.iter().enumerate().collect();
         let far = |fault: &Fault| if fault.slip.columns == Exchange::Nothing { fault.slip.depth.abs().ln().abs() } else { f64::MAX };
         order.sort_by(|one, other| far(one.1).total_cmp(&far(other.1)));
+        // Fitted numbers need no other solution.
+        let mut others = Vec::new();
+        self.references(&exact, rows, &mut others);
+        self.fitted(&exact, &known, rows, &mut others);
         let mut found: Vec<(usize, Tried)> = Vec::new();
         // The states of the most recent loads.
         let mut far_states: Option<(Load, Vec<Option<State>>)> = None;
@@ -35,7 +41,9 @@ impl Trial<'_> {
             let stays = load == 1.0 && slip.ahead == 0 && slip.force_ahead == 0 && slip.columns == Exchange::Nothing;
             let score = match fault.taken {
                 Taken::AsIs | Taken::Modulus(_) if stays => score::under(&exact, &rows, &states, self.gauge),
-                Taken::AsIs | Taken::Modulus(_) if is_near(own, largest) => self.limited(|| score::loads(&exact, &rows, self.gauge)),
+                Taken::AsIs | Taken::Modulus(_) if is_near(own, largest) => {
+                    self.limited(|| score::again(&exact, &known, &rows, self.gauge))
+                }
                 Taken::AsIs | Taken::Modulus(_) => {
                     if far_states.as_ref().is_none_or(|known| known.0 != own) {
                         let states = |exact: Exact<'_>| score::states(&exact, &rows, self.gauge.by_force);
@@ -48,10 +56,7 @@ impl Trial<'_> {
             found.extend(score.map(|score| (index, Tried { id: fault.id, text: fault.text.clone(), score, free: false, rough: false })));
         }
         found.sort_by_key(|own| own.0);
-        let mut tried: Vec<Tried> = found.into_iter().map(|own| own.1).collect();
-        self.references(&exact, rows, &mut tried);
-        self.fitted(&exact, rows, &mut tried);
-        Some((before, tried))
+        Some((before, found.into_iter().map(|own| own.1).chain(others).collect()))
     }
 
     /// Checks for depths with another reference, such as the edge of the contact.
@@ -79,7 +84,7 @@ impl Trial<'_> {
     }
 
     /// Checks for faults with a fitted number.
-    fn fitted(&self, exact: &Exact<'_>, rows: &[Row], tried: &mut Vec<Tried>) {
+    fn fitted(&self, exact: &Exact<'_>, known: &RefCell<States<'_>>, rows: &[Row], tried: &mut Vec<Tried>) {
         let deepest = rows.iter().map(|row| row.depth.abs()).fold(0.0, f64::max);
         let strongest = rows.iter().map(|row| row.force.abs()).fold(0.0, f64::max);
         if rows.len() < 3 || deepest == 0.0 || strongest == 0.0 {
@@ -87,7 +92,7 @@ impl Trial<'_> {
         }
         let score = |factor: f64| {
             let rows: Vec<Row> = rows.iter().map(|row| Row { force: row.force / factor, ..*row }).collect();
-            self.limited(|| score::loads(exact, &rows, self.gauge))
+            self.limited(|| score::again(exact, known, &rows, self.gauge))
         };
         if let Some(x) = minimum(-1.0, 1.0, 81, &|x| score(10f64.powf(x)).map_or(f64::MAX, |own| own.share())) {
             let factor = 10f64.powf(x);
@@ -98,7 +103,7 @@ impl Trial<'_> {
         }
         let mut fit = |id: &'static str, name: &dyn Fn(f64) -> String, change: &dyn Fn(&Row, f64) -> Row| {
             let changed = |x: f64| rows.iter().map(|row| change(row, x)).collect::<Vec<_>>();
-            let score = |x: f64| self.limited(|| score::loads(exact, &changed(x), self.gauge));
+            let score = |x: f64| self.limited(|| score::again(exact, known, &changed(x), self.gauge));
             let Some(x) = minimum(-0.5, 0.5, 41, &|x| score(x).map_or(f64::MAX, |own| own.share())) else { return };
             tried.extend(score(x).map(|score| Tried { id, text: name(x), score, free: true, rough: false }));
         };

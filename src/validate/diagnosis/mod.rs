@@ -17,7 +17,7 @@ use crate::parse;
 use crate::scene::{Change, Control, Dimension, Scene, scene_for_data};
 use crate::transform::Profile;
 use crate::validate::file::row::Row;
-use hypothesis::{Fault, Taken};
+use hypothesis::{Columns, Fault, Taken};
 use placing::Placing;
 use score::{Gauge, Score};
 use std::cell::Cell;
@@ -28,6 +28,7 @@ pub(super) enum Evidence {
         rows: Vec<Row>,
         /// Factors that convert the columns to computing units.
         factors: Row,
+        columns: Columns,
     },
     Field {
         spots: Vec<Spot>,
@@ -41,12 +42,15 @@ pub(super) enum Evidence {
         placings: Vec<Placing>,
         /// Factors that convert the columns r (or x) and p to computing units.
         factors: (f64, f64),
+        columns: Columns,
     },
 }
 
 /// The error must decrease by this factor, and to this multiple of the discretization error.
 const FALL: f64 = 6.0;
 const SHARE: f64 = 2.0;
+/// A factor that reduces the error so much is not the error of a grid, which changes with the contact radius.
+const CONSTANT: f64 = 30.0;
 /// The residual error of an approximate hypothesis; for periodic images it is 4.3e-3 at a side of 2.05 a.
 const ROUGH: f64 = 5e-3;
 /// Number of rows or points on which a hypothesis is tested.
@@ -74,7 +78,7 @@ pub(super) fn diagnose(text: &str, scene: &Scene, evidence: &Evidence, gauge: &G
     let trial = Trial { text, scene, gauge, left: Cell::new(ALL) };
     let search = || {
         let (before, tried) = match evidence {
-            Evidence::Loads { rows, factors } => trial.loads(rows, factors)?,
+            Evidence::Loads { rows, factors, columns } => trial.loads(rows, factors, columns)?,
             Evidence::Field { .. } => trial.field(evidence)?,
         };
         chosen(before, tried)
@@ -93,8 +97,9 @@ fn chosen(before: Option<Score>, tried: Vec<Tried>) -> Option<Suspicion> {
     let error = |own: &Tried| own.score.errors.get(column).copied().unwrap_or(f64::MAX);
     let explains = |own: &Tried| {
         let fell = error(own) * FALL <= old(column);
-        // The small errors of a coarse grid can always be reproduced by a fitted number.
-        let clear = before.is_none_or(|before| before.share() >= if own.free { 3.0 } else { 1.5 });
+        // The small errors of a coarse grid can always be reproduced by a fitted number, but not by one factor for all loads.
+        let is_one_factor = own.id == "modulus" && error(own) * CONSTANT <= old(column);
+        let clear = before.is_none_or(|before| before.share() >= if own.free && !is_one_factor { 3.0 } else { 1.0 });
         clear && fell && (own.score.share() <= SHARE || (own.rough && error(own) <= ROUGH))
     };
     let best = |free: bool| {

@@ -53,8 +53,7 @@ const BEGIN: f64 = 0.05;
 /// Coordinates of n pixels run from 0 to (n − 1)h or from h/2 to (n − ½)h, so the middle of the box is known to half a pixel;
 /// coordinates from 0 to nh include both ends of the box, and are too large by n/(n − 1).
 pub fn placings(extent: &Extent, pixel: Option<f64>, side: Option<f64>) -> Vec<Placing> {
-    const CORNER: &str =
-        "the origin is in a corner of the domain: the axis of the data is in the middle of the coordinates; use the origin corner";
+    const CORNER: &str = "the origin is in a corner of the domain: the axis of the data is in the middle of the coordinates; state this origin together with the side of the box";
     const SHIFTED: &str =
         "the field is in the order of a discrete Fourier transform: the axis is in the corners of the domain; apply fftshift";
     const UNSHIFTED: &str = "the field is in the order of a discrete Fourier transform: the second half of the coordinates belongs to the other side; apply fftshift";

@@ -1,7 +1,7 @@
 //! Scores how well data fit an exact solution: the L2 error, absolute and relative to the discretization error.
 
 use crate::contact::{Boundary, Load, State};
-use crate::validate::exact::{Exact, Pressures};
+use crate::validate::exact::{Exact, Pressures, States};
 use crate::validate::field::{Spot, places};
 use crate::validate::file::row::Row;
 use crate::validate::file::survey::Cell;
@@ -9,6 +9,7 @@ use crate::validate::loads::{BLIND_RADIUS, Judge};
 use crate::validate::norms::Norms;
 use crate::validate::norms::ratio;
 use crate::validate::region::{Region, excused};
+use std::cell::RefCell;
 
 /// Properties of the grid of the scored data.
 #[derive(Clone, Copy, Debug)]
@@ -61,6 +62,12 @@ pub(in crate::validate) fn largest(rows: &[Row], by_force: bool) -> Load {
 /// Returns the score of rows with loads; `None` if most loads have no contact.
 pub(in crate::validate) fn loads(exact: &Exact<'_>, rows: &[Row], gauge: &Gauge) -> Option<Score> {
     under(exact, rows, &states(exact, rows, gauge.by_force), gauge)
+}
+
+/// Returns the same score with states that are shared by many trials.
+pub(in crate::validate) fn again(exact: &Exact<'_>, known: &RefCell<States<'_>>, rows: &[Row], gauge: &Gauge) -> Option<Score> {
+    let states: Vec<Option<State>> = rows.iter().map(|row| known.borrow_mut().at(load(row, gauge.by_force))).collect();
+    under(exact, rows, &states, gauge)
 }
 
 /// Returns the states under the loads of the rows, if they exist.

@@ -61,6 +61,7 @@ impl Kind {
     }
 
     fn of(name: &str) -> Option<Self> {
+        let name = &joined(name);
         if is_area(name) {
             return Some(Self::ContactRadius);
         }
@@ -70,6 +71,11 @@ impl Kind {
         let same = |own: &&str| is(own, name);
         NAMES.iter().find(|(_, names)| names.iter().any(&same)).map(|(kind, _)| *kind)
     }
+}
+
+/// Returns the words of a name with underscores between them, as `Contact_radius` for `Contact radius`.
+fn joined(name: &str) -> String {
+    name.split([' ', '-', '_']).filter(|own| !own.is_empty()).collect::<Vec<_>>().join("_")
 }
 
 /// Returns the name without the suffix of `u+c`, which marks a column known up to a constant; `None` without it.
@@ -127,28 +133,28 @@ pub(in crate::validate) enum Reading {
     Unknown,
 }
 
-/// Parses a name: `d`, `d_um`, `d (um)`, `d [um]`.
+/// Parses a name: `d`, `d_um`, `d (um)`, `d [um]`, `Contact radius / um`.
 pub(in crate::validate) fn read(name: &str, index: usize) -> Reading {
     let name = name.trim();
     let built = |symbol: &str, kind, unit| {
-        let symbol = symbol.trim();
+        let symbol = &joined(symbol);
         let free_constant = up_to_a_constant(symbol).is_some();
         Reading::Known(Column { kind, unit, name: name.to_owned(), index, is_area: is_area(symbol), free_constant })
     };
     if let Some(kind) = Kind::of(name) {
         return built(name, kind, None);
     }
-    let split = name.rsplit_once('_').or_else(|| name.split_once(['(', '[', '/']));
-    let Some((symbol, unit)) = split else { return Reading::Unknown };
-    let Some(kind) = Kind::of(symbol.trim()) else { return Reading::Unknown };
+    let splits = [name.split_once(['(', '[']), name.rsplit_once('_'), name.split_once('/')];
+    let found = splits.into_iter().flatten().find_map(|(symbol, unit)| Some((symbol.trim(), unit, Kind::of(symbol.trim())?)));
+    let Some((symbol, unit, kind)) = found else { return Reading::Unknown };
     let unit = unit.trim().trim_end_matches([')', ']']);
     if is_bound(name) || unit.eq_ignore_ascii_case("error") {
         return Reading::Unknown;
     }
     let squared = ["^2", "²", "2"].into_iter().find_map(|power| unit.strip_suffix(power));
-    let unit = match squared.filter(|_| is_area(symbol.trim())) {
+    let unit = match squared.filter(|_| is_area(&joined(symbol))) {
         Some(root) => root,
-        None if is_area(symbol.trim()) => return Reading::BadUnit(format!("{unit} is not the square of a length")),
+        None if is_area(&joined(symbol)) => return Reading::BadUnit(format!("{unit} is not the square of a length")),
         None => unit,
     };
     match Unit::parse(unit) {

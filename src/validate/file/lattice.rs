@@ -126,17 +126,26 @@ fn largest_unit(radii: &[(f64, f64)]) -> Option<f64> {
     if areas.len() < 4 || least <= 0.0 {
         return None;
     }
+    // One wrong area of several does not hide the unit of the others.
+    let may_miss = usize::from(areas.len() >= 6);
     for count in 1..=MOST {
         let unit = least / f64::from(count);
         // Expected number of trials that would succeed by chance.
-        let mut chance = f64::from(count);
-        let fits = areas.iter().all(|area| {
+        let (mut chance, mut missed) = (f64::from(count), 0);
+        for area in &areas {
             let n = area / unit;
             let slack = (1e-6 + 1.5e-7 * n).min(0.5);
-            chance *= if *area == least { 1.0 } else { 2.0 * slack };
-            (n - n.round()).abs() <= slack
-        });
-        if fits {
+            if (n - n.round()).abs() > slack {
+                missed += 1;
+                chance *= areas.len() as f64;
+            } else if *area != least {
+                chance *= 2.0 * slack;
+            }
+            if missed > may_miss {
+                break;
+            }
+        }
+        if missed == 0 || (missed <= may_miss && chance < 1e-6) {
             return (chance < 1e-4).then(|| unit.sqrt());
         }
     }

@@ -167,7 +167,17 @@ pub(in crate::validate) fn columns(file: &str, mut arrays: Vec<Array>, layout: &
         if rows.min(columns) >= FIELD && layout.names_the_whole() {
             only.name = "1".to_owned();
         }
-        let known = matches!(layout.read(&only.name, 0), Reading::Known(_));
+        let read = match layout.read(&only.name, 0) {
+            Reading::Known(column) => Some(column.kind),
+            _ => None,
+        };
+        // A name such as force.npy does not make forces of the numbers of a grid.
+        let known = read.is_some_and(|own| own.is_field() || rows.min(columns) < FIELD);
+        if let Some(kind @ (Kind::Profile | Kind::Equivalent)) = read
+            && layout.map.is_empty()
+        {
+            notes.push(format!("the array {:?} is read as {}; map p=1 to read it as p", only.name, kind.symbol()));
+        }
         if !known && (rows.min(columns) < FIELD || layout.by_number()) {
             // An array with few rows and many columns was stacked; otherwise each column is a quantity.
             let stacked = rows < FIELD && rows < columns;

@@ -34,7 +34,7 @@ impl Pixel {
 }
 
 /// Returns the fault in the box or the order of the files if the data contradict the declaration.
-pub(in crate::validate) fn contradiction(pixels: &[Pixel]) -> Option<Suspicion> {
+pub(in crate::validate) fn contradiction(pixels: &[Pixel], length: &dyn Fn(f64) -> String) -> Option<Suspicion> {
     let worst = pixels.iter().find(|own| own.contradicts());
     if let Some(before) = in_another_order(pixels) {
         let text = "files in the wrong order: the numbers of pixels fit the data only in another order".to_owned();
@@ -47,16 +47,18 @@ pub(in crate::validate) fn contradiction(pixels: &[Pixel]) -> Option<Suspicion> 
         }
         (Some(side), ..) => {
             format!(
-                "another box: the points of the data fill a square with a side of {side:.6} in the length unit of the scene, which differs from the declared box"
+                "another box: the points of the data fill a square with a side of {}, which differs from the declared box",
+                length(side)
             )
         }
         (None, Some(count), Some(h)) if worst.by_radii => format!(
-            "another box: the contact radii are counted in pixels of {h:.6}; with the declared grid, they fit a box of {:.6} or a whole fraction of it in the length unit of the scene, not the declared box",
-            h * count
+            "another box: the contact radii are counted in pixels of {}; with the declared grid, they fit a box of {} or a whole fraction of it, not the declared box",
+            length(h),
+            length(h * count)
         ),
         (None, count, h) => format!(
-            "another box: with the declared grid, the points of the data fit a box of {:.6} in the length unit of the scene, not the declared box",
-            count.zip(h).map_or(f64::NAN, |(count, h)| count * h)
+            "another box: with the declared grid, the points of the data fit a box of {}, not the declared box",
+            length(count.zip(h).map_or(f64::NAN, |(count, h)| count * h))
         ),
     };
     let ratio = worst.filled.zip(worst.side).map(|(filled, side)| filled / side).or(worst.mismatch);
@@ -84,6 +86,7 @@ pub(in crate::validate) fn pixels(
     content: Content,
     declared: Option<&Declared>,
     grid: &[f64],
+    length: &dyn Fn(f64) -> String,
 ) -> Result<Vec<Pixel>, ValidationError> {
     let given = if grid.is_empty() { declared.map_or(&[][..], |own| &own.grid) } else { grid };
     let side = declared.and_then(|own| own.side);
@@ -105,11 +108,16 @@ pub(in crate::validate) fn pixels(
         // All areas are multiples of this pixel, which may consist of several true pixels, such as four for a symmetric contact.
         let of_radii = survey.counted.filter(|_| survey.lattice.is_none()).zip(stated).map(|(own, stated)| (own / stated).powi(2));
         let mismatch = of_places.or(of_radii);
-        let filled = survey.filled_square().filter(|own| match (side, count, betrayed) {
-            // Coordinates may begin and end on the sides of the box, or half a pixel inside.
-            (Some(side), None, Some(h)) => [0.0, 1.0].iter().all(|pixels| (own - side - pixels * h).abs() > 0.25 * h),
-            (None, Some(count), Some(h)) => *own > (count + 0.5) * h,
-            _ => false,
+        // The pixels of an array without coordinates are those of the grid.
+        let placed = survey.data.arrays.as_ref().is_some_and(|own| own.placed);
+        let whole = side.zip(count).zip(betrayed).filter(|((side, count), h)| placed && (side / h - count).abs() > 0.5);
+        let filled = whole.map(|((side, _), _)| side).or_else(|| {
+            survey.filled_square().filter(|own| match (side, count, betrayed) {
+                // Coordinates may begin and end on the sides of the box, or half a pixel inside.
+                (Some(side), None, Some(h)) => [0.0, 1.0].iter().all(|pixels| (own - side - pixels * h).abs() > 0.25 * h),
+                (None, Some(count), Some(h)) => *own > (count + 0.5) * h,
+                _ => false,
+            })
         });
         // The data take precedence over the declaration, except for contact radii, which are less reliable.
         let disagrees = Pixel { mismatch, ..Pixel::default() }.contradicts();
@@ -117,19 +125,16 @@ pub(in crate::validate) fn pixels(
         match (stated, betrayed, survey.lattice) {
             (Some(stated), Some(betrayed), _) if disagrees || (survey.lattice.is_some() && (stated / betrayed - 1.0).abs() > 0.01) => {
                 survey.notes.push(format!(
-                    "box and grid give a pixel of {stated:.6e}, but the data have a pixel of {betrayed:.6e} (in the length unit of the scene)"
+                    "box and grid give a pixel of {}, but the data have a pixel of {}",
+                    length(stated),
+                    length(betrayed)
                 ));
             }
             (None, Some(betrayed), Some(lattice)) => {
-                survey.notes.push(format!(
-                    "inferred from the points: {}, pixel {betrayed:.6e} in the length unit of the scene",
-                    lattice.offset.text()
-                ));
+                survey.notes.push(format!("inferred from the points: {}, pixel {}", lattice.offset.text(), length(betrayed)));
             }
             (None, Some(betrayed), None) => {
-                survey.notes.push(format!(
-                    "inferred from the contact radii, which are counted in pixels: pixel {betrayed:.6e} in the length unit of the scene"
-                ));
+                survey.notes.push(format!("inferred from the contact radii, which are counted in pixels: pixel {}", length(betrayed)));
             }
             (None, None, _) => survey.notes.push("the pixel is not known; set box and grid in [data]".to_owned()),
             _ => {}

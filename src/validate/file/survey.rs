@@ -204,6 +204,15 @@ impl<'s> Survey<'s> {
         own.and_then(|own| own.unit.as_ref()).map_or_else(|| scene.system.unit_name(kind.dimension()), |unit| unit.name().to_owned())
     }
 
+    /// Returns the symbols of the columns, their names in a sentence and their units; an array without coordinates has its box instead of r.
+    pub(in crate::validate) fn labels(&self, scene: &Scene) -> Vec<(&'static str, &'static str, String)> {
+        let label = |kind: Kind| (kind.symbol(), kind.symbol(), self.unit(kind, scene));
+        let placed = self.data.arrays.as_ref().is_some_and(|own| own.placed);
+        let distance =
+            if placed { ("r", "the box", String::new()) } else { ("r", self.distance().symbol(), self.unit(self.distance(), scene)) };
+        [Kind::Depth, Kind::Force, Kind::ContactRadius, Kind::Pressure].map(label).into_iter().chain([distance]).collect()
+    }
+
     /// Returns a number of the data with its symbol and unit, such as `d = 60 nm`.
     pub(in crate::validate) fn place(&self, kind: Kind, at: f64, scene: &Scene) -> String {
         format!("{} = {at} {}", kind.symbol(), self.unit(kind, scene)).trim_end().to_owned()

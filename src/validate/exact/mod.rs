@@ -1,5 +1,7 @@
 //! The exact solution of a scene for the data: states by load, and pressures in blocks.
 
+mod states;
+
 use crate::contact::{Boundary, Contact, ContactError, Indentation, Load, Part, Setup, State};
 use crate::expr::Bindings;
 use crate::num::stable::leg;
@@ -10,8 +12,10 @@ use std::cell::OnceCell;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+pub(in crate::validate) use states::States;
+
 /// The exact solution of a scene.
-pub(super) struct Exact<'a> {
+pub(in crate::validate) struct Exact<'a> {
     indentation: Indentation<'a>,
     from_touch: bool,
     /// The formula of the profile, if it has one, whose pressures can be computed in blocks.
@@ -22,18 +26,18 @@ pub(super) struct Exact<'a> {
 }
 
 /// Singularities of the profile that a pixel cannot resolve.
-pub(super) struct Sharp {
+pub(in crate::validate) struct Sharp {
     /// True if the tip is not smooth at the axis.
-    pub(super) apex: bool,
+    pub(in crate::validate) apex: bool,
     /// The radii of kinks.
-    pub(super) kinks: Vec<f64>,
+    pub(in crate::validate) kinks: Vec<f64>,
     /// Radii at which only the curvature jumps.
-    pub(super) bends: Vec<f64>,
+    pub(in crate::validate) bends: Vec<f64>,
 }
 
 impl<'a> Exact<'a> {
     /// Creates the exact solution; `largest` is the largest load of the data.
-    pub(super) fn new(scene: &Scene, solution: &'a Solution, largest: Load) -> Result<Self, ContactError> {
+    pub(in crate::validate) fn new(scene: &Scene, solution: &'a Solution, largest: Load) -> Result<Self, ContactError> {
         let Scene { effective_modulus, rim, tolerance, method, .. } = *scene;
         let setup = Setup { effective_modulus, rim, tolerance, method };
         // Do not fail for absurd loads, such as data in wrong units.
@@ -48,7 +52,7 @@ impl<'a> Exact<'a> {
     }
 
     /// Returns the state under a load if it is valid; depths of the data may be relative to first touch.
-    pub(super) fn state(&self, load: Load) -> Option<State> {
+    pub(in crate::validate) fn state(&self, load: Load) -> Option<State> {
         let load = match load {
             Load::Depth(depth) if self.from_touch => Load::Depth(depth + self.indentation.first_touch()),
             other => other,
@@ -59,43 +63,43 @@ impl<'a> Exact<'a> {
     }
 
     /// Returns the depth of a state with the reference of the data.
-    pub(super) fn depth(&self, state: &State) -> f64 {
+    pub(in crate::validate) fn depth(&self, state: &State) -> f64 {
         if self.from_touch { state.depth - self.indentation.first_touch() } else { state.depth }
     }
 
     /// Returns U = E* ∫₀^a (d − g)² dx of a state.
-    pub(super) fn energy(&self, state: &State) -> Option<f64> {
+    pub(in crate::validate) fn energy(&self, state: &State) -> Option<f64> {
         Some(self.indentation.energy(state).ok()?.estimate.value)
     }
 
     /// Returns k = 2E* a of a state.
-    pub(super) fn stiffness(&self, state: &State) -> Option<f64> {
+    pub(in crate::validate) fn stiffness(&self, state: &State) -> Option<f64> {
         Some(self.contact(state).stiffness(state.radius).ok()?.estimate.value)
     }
 
     /// Returns the contact of a state.
-    pub(super) fn contact(&self, state: &State) -> Contact<'a, Superposition<'a>> {
+    pub(in crate::validate) fn contact(&self, state: &State) -> Contact<'a, Superposition<'a>> {
         self.indentation.contact(state)
     }
 
     /// Returns the contact with a smooth edge.
-    pub(super) fn shape(&self) -> &Contact<'a, Superposition<'a>> {
+    pub(in crate::validate) fn shape(&self) -> &Contact<'a, Superposition<'a>> {
         self.indentation.shape()
     }
 
     /// Returns the contact of the formula with a smooth edge; `None` for a measured tip.
-    pub(super) fn formula(&self) -> Option<Formula<'a>> {
+    pub(in crate::validate) fn formula(&self) -> Option<Formula<'a>> {
         let evaluator = Evaluator::new(self.formula?, &Bindings::default(), self.method, self.tolerance).ok()?;
         Some(Formula { contact: Contact::new(evaluator, self.modulus, None, self.tolerance), closes: OnceCell::new() })
     }
 
     /// Returns the pressures under a state, prepared for many points.
-    pub(super) fn pressures<'c>(&'c self, formula: Option<&'c Formula<'c>>, state: &State) -> Pressures<'c> {
+    pub(in crate::validate) fn pressures<'c>(&'c self, formula: Option<&'c Formula<'c>>, state: &State) -> Pressures<'c> {
         Pressures::new(self, formula, state, u64::MAX)
     }
 
     /// Returns the singularities within a radius.
-    pub(super) fn sharp(&self, within: f64) -> Sharp {
+    pub(in crate::validate) fn sharp(&self, within: f64) -> Sharp {
         let bend = |r: f64| self.indentation.shape().profile(r).map_or(0.0, |own| own.estimate.value.abs() / (r * r));
         let (near, nearer) = (bend(1e-3 * within), bend(1e-5 * within));
         let kinks: Vec<f64> = self.indentation.kinks().map(|own| own.0).filter(|own| *own > 0.0).collect();
@@ -110,13 +114,13 @@ impl<'a> Exact<'a> {
     }
 
     /// Returns the distance between the edge of a contact and the nearest kink inside; the contact radius if there is none.
-    pub(super) fn room(&self, state: &State) -> f64 {
+    pub(in crate::validate) fn room(&self, state: &State) -> f64 {
         let a = state.radius;
         self.indentation.kinks().map(|own| own.0).filter(|own| *own > 0.0 && *own < a).fold(a, |room, kink| room.min(a - kink))
     }
 
     /// Returns f(r)/r² near the axis.
-    pub(super) fn bend(&self, within: f64) -> Option<f64> {
+    pub(in crate::validate) fn bend(&self, within: f64) -> Option<f64> {
         let r = 1e-4 * within;
         let height = self.indentation.shape().profile(r).ok()?.estimate.value;
         Some(height / (r * r)).filter(|own| own.is_finite() && *own > 0.0)
@@ -127,7 +131,7 @@ impl<'a> Exact<'a> {
 const MOST_BENDS: usize = 8;
 
 /// The contact of a formula with a smooth edge.
-pub(super) struct Formula<'a> {
+pub(in crate::validate) struct Formula<'a> {
     contact: Contact<'a>,
     /// True if pressures can be computed without quadrature.
     closes: OnceCell<bool>,
@@ -142,13 +146,13 @@ impl Formula<'_> {
 }
 
 /// Pressures under one state: closed forms in blocks, else a curve that is built once.
-pub(super) struct Pressures<'c> {
+pub(in crate::validate) struct Pressures<'c> {
     /// The part for a smooth edge; the contribution of a rim is added.
     formula: Option<&'c Contact<'c>>,
     shape: &'c Contact<'c, Superposition<'c>>,
-    pub(super) state: State,
+    pub(in crate::validate) state: State,
     /// The singularities within the contact.
-    pub(super) sharp: Sharp,
+    pub(in crate::validate) sharp: Sharp,
     curve: Option<PressureCurve<'c>>,
     /// p next to the axis where it is the same as on the axis; filled when it is first needed.
     next_to_axis: OnceCell<Option<f64>>,
@@ -168,7 +172,7 @@ const CURVE: f64 = 1e-8;
 
 impl<'c> Pressures<'c> {
     /// Takes the contact of the formula, if there is one, and the expected number of points.
-    pub(super) fn new(exact: &'c Exact<'c>, formula: Option<&'c Formula<'c>>, state: &State, rows: u64) -> Self {
+    pub(in crate::validate) fn new(exact: &'c Exact<'c>, formula: Option<&'c Formula<'c>>, state: &State, rows: u64) -> Self {
         let (a, shape) = (state.radius, exact.shape());
         let equivalent = || shape.evaluator().equivalent(a).map_or(f64::NAN, |own| own.estimate.value);
         let excess = if state.boundary == Boundary::Rim { state.depth - equivalent() } else { 0.0 };
@@ -180,7 +184,7 @@ impl<'c> Pressures<'c> {
     }
 
     /// Returns p at every r, clamped to at least 0; NaN if p is infinite or cannot be computed.
-    pub(super) fn at(&self, r: &[f64], out: &mut Vec<f64>) {
+    pub(in crate::validate) fn at(&self, r: &[f64], out: &mut Vec<f64>) {
         out.clear();
         let a = self.state.radius;
         let inside: Vec<f64> = r.iter().copied().filter(|r| *r < a).collect();
