@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used)]
 
 use sneddon_checks::seeds::sample;
+use sneddon_checks::side_by_side::{compared, page, skeleton};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -103,6 +104,18 @@ fn the_catalogue_of_rules_is_fresh() {
     let written = fs::read_to_string(root().join("docs/rules.md")).unwrap();
     let stale = "docs/rules.md is stale: cargo run -- rules --format markdown --standalone > docs/rules.md";
     assert!(String::from_utf8(done.stdout).unwrap() == written, "{stale}");
+}
+
+/// The chapter's formulas equal the derived ones, and `docs/side-by-side.md` shows both.
+#[test]
+fn the_chapter_beside_the_program_is_fresh() {
+    let found = compared();
+    for own in &found {
+        assert!(own.difference < 1e-13, "{}: the formulas differ by {:e}", own.equation.number, own.difference);
+    }
+    let (own, written) = (page(&found), fs::read_to_string(root().join("docs/side-by-side.md")).unwrap());
+    let stale = "docs/side-by-side.md is stale: cargo run --release -p sneddon-runs --bin side_by_side > docs/side-by-side.md";
+    assert!(skeleton(&own) == skeleton(&written), "{stale}");
 }
 
 /// Every profile of `docs/pressures.md` has the notes under whose headings it stands, and those under the last one have none.

@@ -3,6 +3,7 @@
 #![allow(dead_code, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 pub mod accuracy;
+pub mod chapter;
 pub mod decimal;
 pub mod estimates;
 pub mod formulas;
@@ -14,5 +15,6 @@ pub mod random;
 pub mod rows;
 pub mod scenes;
 pub mod seeds;
+pub mod side_by_side;
 pub mod stability;
 pub mod stability_page;
