@@ -2,6 +2,7 @@
 
 use sneddon::expr::{Expr, Number};
 use sneddon::print::latex_expr;
+use sneddon::{parse, print};
 
 #[test]
 fn numbers_keep_the_look_they_were_typed_with() {
@@ -92,7 +93,7 @@ fn roots_of_one_exponent_are_one_root() {
     for (typed, printed) in [
         ("20^(1/6)*d^(1/6)/(2*C^(1/6))", "(20*d/C)^(1/6)/2"),
         ("3*50000^(5/6)*E*d^(7/6)/(17500*C^(1/6))", "6/7*E*d*(20*d/C)^(1/6)"),
-        ("d^(2/3)*gamma(5/4)^(2/3)/(pi^(1/3)*C^(2/3)*gamma(7/4)^(2/3))", "(d*gamma(5/4)/(sqrt(pi)*C*gamma(7/4)))^(2/3)"),
+        ("d^(2/3)*gamma(5/4)^(2/3)/(pi^(1/3)*C^(2/3)*gamma(7/4)^(2/3))", "(gamma(5/4)*d/(sqrt(pi)*gamma(7/4)*C))^(2/3)"),
         ("w^(3/5)*d^(8/5)/h^(3/5)", "d*(w*d/h)^(3/5)"),
         ("36^(2/3)*d", "6*6^(1/3)*d"),
         ("2^(2/3)*d", "2^(2/3)*d"),
@@ -108,4 +109,44 @@ fn roots_of_one_exponent_are_one_root() {
         assert!((one - other).abs() <= 4e-16 * one.abs(), "{typed}: {one} and {other}");
         assert_eq!(text, printed, "{typed}");
     }
+}
+
+/// Class "decimals beside roots": numbers stay under the root where that takes fewer digits, and parsing restores the formula.
+#[test]
+fn decimals_stay_under_their_root() {
+    for (typed, printed) in [
+        ("sqrt(2546*d)/254.6", "sqrt(d/25.46)"),
+        ("(66076738814000.0*d)^(1/6)/254.0", "(d/4.064)^(1/6)"),
+        ("2*sqrt(2546)/381.9*E*d^(3/2)", "4/3*E*d*sqrt(d/25.46)"),
+        ("sqrt(2*R*d)/2", "sqrt(2*R*d)/2"),
+        ("3*sqrt(3)*d/4", "3*sqrt(3)/4*d"),
+    ] {
+        let own = parse::formula(typed).unwrap();
+        let shown = print::text(&own);
+        assert_eq!(shown, printed, "{typed}");
+        assert_eq!(parse::formula(&shown).unwrap(), own, "{typed}");
+    }
+    // Where parsing would not restore it, only the other notations write the short form.
+    let own = parse::formula("0.12*63500^(5/6)/889*E*d^(7/6)").unwrap();
+    assert_eq!(print::latex(&own), r"\frac{6}{7} E^{*} d \sqrt[6]{\frac{2}{0.127} d}");
+    assert_eq!(parse::formula(&print::text(&own)).unwrap(), own);
+}
+
+/// Outside of the program's own grammar, the terms of a difference are exchanged instead of a leading minus; in it the formula reads back.
+#[test]
+fn differences_have_no_leading_minus() {
+    let own = parse::formula("-x^2/(R_1-R_2)").unwrap();
+    assert_eq!(print::latex(&own), r"\frac{x^{2}}{R_{2} - R_{1}}");
+    assert_eq!(parse::formula(&print::text(&own)).unwrap(), own);
+    let own = parse::formula("-x^2*(a+b-c)^2").unwrap();
+    assert!(print::latex(&own).starts_with('-'));
+}
+
+/// Polynomials fall in the contact radius, and values of functions stand with the numbers.
+#[test]
+fn polynomials_and_constants_are_in_order() {
+    let own = parse::formula("4*a^2*r^2+8*r^4+3*a^4").unwrap();
+    assert_eq!(print::text(&own), "3*a^4 + 4*a^2*r^2 + 8*r^4");
+    let own = parse::formula("6*sqrt(pi)*E*C*a^(5/2)*gamma(7/4)/(5*gamma(5/4))").unwrap();
+    assert_eq!(print::text(&own), "6*sqrt(pi)*gamma(7/4)/(5*gamma(5/4))*E*C*a^(5/2)");
 }

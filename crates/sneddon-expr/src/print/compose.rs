@@ -1,6 +1,6 @@
 //! Lays out expressions and formulas as mathematics.
 
-use super::layout::{Factor, Layout, layout};
+use super::layout::{Factor, Layout, layout_for};
 use super::math::{Call, Math};
 use super::number::digits;
 use super::order;
@@ -48,7 +48,7 @@ pub(super) fn expr(expr: &Expr, style: Style) -> Math {
     if let Node::Sum(_) = expr.node() {
         return Math::Sum(order::terms(expr).iter().map(|term| product(term, style)).collect());
     }
-    with_sign(product(expr, style))
+    with_sign(turned(expr, style))
 }
 
 fn parenthesised(inner: Math) -> Math {
@@ -63,7 +63,7 @@ fn signed(formula: &Formula, style: Style) -> (bool, Math) {
     }
     match formula {
         Formula::Closed(closed) if matches!(closed.node(), Node::Sum(_)) => (false, expr(closed, style)),
-        Formula::Closed(closed) => product(closed, style),
+        Formula::Closed(closed) => turned(closed, style),
         Formula::Sum(parts) => {
             let mut terms = Vec::new();
             for part in parts {
@@ -123,13 +123,35 @@ fn beside(left: Math, right: Math) -> Math {
     Math::Product(list(left).into_iter().chain(list(right)).collect())
 }
 
+/// The sign of a product and the rest of it, without a leading minus if the terms of a factor can be exchanged: x²/(R₂ − R₁) for
+/// −x²/(R₁ − R₂). The program's grammar keeps the product, so that it reads back.
+fn turned(expr: &Expr, style: Style) -> (bool, Math) {
+    let mut layout = layout_for(expr, style == Style::Grammar);
+    let is_difference = |factor: &&mut Factor| {
+        let Node::Sum(terms) = factor.base.node() else { return false };
+        let negative = terms.iter().filter(|term| term.split_coefficient().0.is_negative()).count();
+        negative > 0 && 2 * negative >= terms.len() && factor.whole().is_some_and(|power| power % 2 != 0)
+    };
+    if layout.negative && style != Style::Grammar {
+        let mut factors = layout.upper.iter_mut().chain(&mut layout.lower).chain(&mut layout.behind);
+        if let Some(own) = factors.find(is_difference) {
+            own.base = -&own.base;
+            layout.negative = false;
+        }
+    }
+    laid(&layout, style)
+}
+
 /// The sign of a product and the rest of it.
 fn product(expr: &Expr, style: Style) -> (bool, Math) {
-    let layout = layout(expr);
+    laid(&layout_for(expr, style == Style::Grammar), style)
+}
+
+fn laid(layout: &Layout, style: Style) -> (bool, Math) {
     let body = if layout.lower.is_empty() {
         alone(&layout.upper, style)
     } else if style == Style::Exponent {
-        slashed(&layout, style)
+        slashed(layout, style)
     } else {
         let fraction = Math::Fraction(Box::new(alone(&layout.upper, style)), Box::new(alone(&layout.lower, style)));
         if layout.behind.is_empty() { fraction } else { beside(fraction, joined(&layout.behind, style, true)) }

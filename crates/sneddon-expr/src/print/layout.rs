@@ -1,7 +1,7 @@
 //! The layout of a product: its sign, a fraction, and the factors after the fraction.
 
 use super::order::{self, Rank};
-use super::roots;
+use super::{decimal_roots, roots};
 use crate::expr::{Expr, Node, Number, Sign, sign};
 
 /// A base and its exponent, which is 1 for a plain factor and never negative in a layout.
@@ -43,13 +43,19 @@ impl Factor {
 
 /// The layout of a product; any other expression is treated as a product of one factor.
 pub(super) fn layout(expr: &Expr) -> Layout {
+    layout_for(expr, true)
+}
+
+/// The same; `reads_back` demands that parsing restores the factors.
+pub(super) fn layout_for(expr: &Expr, reads_back: bool) -> Layout {
     let factors = expr.factors();
     let (mut upper, mut lower) = (Vec::new(), Vec::new());
-    let mut negative = false;
+    let (mut negative, mut has_decimals) = (false, false);
     for factor in factors {
         match factor.node() {
             Node::Number(number) => {
                 negative = number.is_negative();
+                has_decimals = number.has_decimals();
                 let (number, denominator) = number.abs().printed_parts();
                 if !number.is_one() {
                     upper.push(Factor::plain(Expr::number(number)));
@@ -65,6 +71,7 @@ pub(super) fn layout(expr: &Expr) -> Layout {
             _ => upper.push(Factor::plain(factor)),
         }
     }
+    decimal_roots::gather(&mut upper, &mut lower, has_decimals, reads_back);
     roots::gather(&mut upper, &mut lower);
     let (mut upper, mut lower) = (under_one_root(upper), under_one_root(lower));
     upper.sort_by(order::factors);

@@ -5,6 +5,7 @@
 //! Text reads back as an equal expression; the others look as a careful author would set them.
 
 mod compose;
+mod decimal_roots;
 mod layout;
 mod math;
 mod named;

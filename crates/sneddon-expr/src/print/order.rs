@@ -34,6 +34,7 @@ impl Rank {
             Node::Symbol(symbol) if symbol.name() == "E" => Self::Modulus,
             Node::Symbol(symbol) if VARIABLES.contains(&symbol.name()) => Self::Variable,
             Node::Symbol(_) => Self::Parameter,
+            Node::Function(..) if factor.base.symbols().is_empty() => Self::Constant,
             Node::Function(function, _) if function.name() == "exp" => Self::Exponential,
             Node::Function(..) => Self::Function,
             Node::Sum(_) if factor.whole().is_some() => Self::Sum,
@@ -52,7 +53,10 @@ pub(super) fn factors(left: &Factor, right: &Factor) -> Ordering {
     let by_rank = Rank::of(left).cmp(&Rank::of(right));
     let by_name = || name(&left.base).cmp(&name(&right.base));
     let by_content = || (&left.base, &left.exponent).cmp(&(&right.base, &right.exponent));
-    by_rank.then_with(by_name).then_with(by_content)
+    // h √(2R), d √(d/C).
+    let is_joint_root = |factor: &Factor| matches!(factor.base.node(), Node::Product(_));
+    let by_root = || is_joint_root(left).cmp(&is_joint_root(right));
+    by_rank.then_with(by_root).then_with(by_name).then_with(by_content)
 }
 
 /// Latin letters before Greek ones, regardless of case first.
@@ -124,6 +128,8 @@ struct Key {
     degree: Reverse<Degree>,
     has_function: bool,
     degree_of_parameters: Reverse<Degree>,
+    /// Polynomials in two variables by falling powers of the contact radius.
+    degree_of_radius: Reverse<Degree>,
     names: Vec<(Rank, String, Expr)>,
     term: Expr,
 }
@@ -158,6 +164,7 @@ impl Key {
             degree: Reverse(Degree(in_variables)),
             has_function: all.iter().any(|factor| function(&factor)),
             degree_of_parameters: Reverse(Degree(in_parameters)),
+            degree_of_radius: Reverse(Degree(power_of_radius(term))),
             names: all
                 .iter()
                 .map(|factor| (Rank::of(factor), name(&factor.base).1, factor.exponent.clone()))
@@ -166,6 +173,16 @@ impl Key {
             term: term.split_coefficient().1,
         }
     }
+}
+
+/// The power of the contact radius in a product.
+fn power_of_radius(term: &Expr) -> f64 {
+    let power = |factor: &Expr| {
+        let (base, exponent) = factor.split_power();
+        let is_radius = base.as_symbol().is_some_and(|own| own.name() == "a");
+        exponent.as_number().filter(|_| is_radius).map_or(0.0, |own| own.to_f64())
+    };
+    term.factors().iter().map(power).sum()
 }
 
 /// The degrees of expressions in the variables and in all other symbols; a part that occurs repeatedly in one sum is looked at
