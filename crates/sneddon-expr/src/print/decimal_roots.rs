@@ -35,12 +35,8 @@ pub(super) fn gather(upper: &mut Vec<Factor>, lower: &mut Vec<Factor>, has_decim
     let power = (2..order).rev().find_map(|power| Some((inside.root(power)?, power)));
     let (base, power) = power.unwrap_or((inside, 1));
     let exponent = Expr::ratio(i64::from(power), i64::from(order));
-    let joins = |own: &&mut Factor| {
-        let is_symbol = matches!(own.base.node(), Node::Symbol(_) | Node::Product(_));
-        is_symbol && own.exponent.as_number().is_some_and(|number| number.is_positive() && number.to_f64().fract() == 0.5)
-    };
     if order == 2
-        && let Some(own) = upper.iter_mut().find(joins)
+        && let Some(own) = upper.iter_mut().find(|own| joins(own))
     {
         let whole = &own.exponent - &exponent;
         let symbol = std::mem::replace(own, Factor { base: &own.base * Expr::number(base), exponent }).base;
@@ -50,6 +46,12 @@ pub(super) fn gather(upper: &mut Vec<Factor>, lower: &mut Vec<Factor>, has_decim
     let (above, below) = base.printed_parts();
     upper.extend((!above.is_one()).then(|| Factor { base: Expr::number(above), exponent: exponent.clone() }));
     lower.extend((!below.is_one()).then(|| Factor { base: Expr::number(below), exponent }));
+}
+
+/// True for the square root of a symbol or a product, or an odd power of it, under which a number may stand.
+fn joins(factor: &Factor) -> bool {
+    let is_symbol = matches!(factor.base.node(), Node::Symbol(_) | Node::Product(_));
+    is_symbol && factor.exponent.as_number().is_some_and(|number| number.is_positive() && number.to_f64().fract() == 0.5)
 }
 
 /// The number outside, the number under the root, and the order of the root; `None` if the product is as short as it can be.
@@ -72,7 +74,10 @@ fn distributed(upper: &[Factor], lower: &[Factor], mut has_decimals: bool, reads
             }
         }
     }
-    if roots.is_empty() || order > 9 {
+    // A root of a number alone is not shorter for an author: 0.78125 sqrt(2), not 25/(8 sqrt(8)).
+    let is_root = |own: &Factor| own.base.as_number().is_none() && own.exponent.as_number().is_some_and(|own| !own.is_integer());
+    let has_partner = if order == 2 { upper.iter().any(joins) } else { upper.iter().chain(lower).any(is_root) };
+    if roots.is_empty() || order > 9 || !has_partner {
         return None;
     }
     let mut whole = outside.power(i64::from(order))?;
