@@ -1,7 +1,7 @@
 //! The derived relations of a contact: g, d, F, p, k, a(d) and F(d) with their rules and conditions.
 
 use super::{ContactError, Explicit, explicit};
-use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, derivative, in_lowest_terms, normal, sign};
+use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, collected, derivative, in_lowest_terms, normal, sign};
 use crate::num::work;
 use crate::print::Prose;
 use crate::transform::{Check, Derived, Solution, Status, TransformError};
@@ -132,12 +132,12 @@ fn collect(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> 
             let extra = excess.clone().scaled(&(Expr::integer(2) * &modulus * &a));
             let edge_term = excess.scaled(&(&modulus / (Expr::pi() * (a.power(2) - Expr::symbol("r").power(2)).sqrt())));
             let force = Derived {
-                formula: simplified(Formula::sum([force.formula, extra]), "a"),
+                formula: together(simplified(Formula::sum([force.formula, extra]), "a")),
                 reference: with_first(&force.reference, "Popov & Heß (3.61)"),
                 ..force
             };
             let pressure = pressure.map(|pressure| Derived {
-                formula: Formula::sum([pressure.formula, edge_term]),
+                formula: together(Formula::sum([pressure.formula, edge_term])),
                 reference: with_first(&pressure.reference, "Popov & Heß (3.56), (3.62)–(3.63)"),
                 ..pressure
             });
@@ -160,6 +160,16 @@ fn collect(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> 
         stiffness,
         conditions: stated,
     })
+}
+
+/// The part of a smooth edge and the part of the rim as one closed form, if both are closed.
+fn together(formula: Formula) -> Formula {
+    let parts: Option<Vec<Expr>> = match &formula {
+        Formula::Sum(parts) => parts.iter().map(|own| own.as_closed().cloned()).collect(),
+        Formula::Closed(own) => Some(vec![own.clone()]),
+        _ => None,
+    };
+    parts.map_or(formula, |parts| Formula::Closed(collected(&Expr::sum(parts))))
 }
 
 /// The conditions of a complete contact up to the rim: no gap at the rim, d ≥ g(a), and no tension inside.

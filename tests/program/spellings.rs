@@ -153,7 +153,7 @@ fn the_nearest_name_is_suggested() {
 #[test]
 fn a_rim_may_stand_in_its_profile() {
     let found = json(&["derive", "-h*r^2/a^2", "--depth", "d", "--json"]);
-    let expected = parse::formula("2*E*a*d+4/3*E*a*h").unwrap();
+    let expected = parse::formula("E*a*(2*d+4/3*h)").unwrap();
     for key in ["F", "F_of_d"] {
         assert_eq!(parse::formula(found[key]["text"].as_str().unwrap()).unwrap(), expected, "{key}");
     }

@@ -33,8 +33,8 @@ pub fn collected(expr: &Expr) -> Expr {
     if let Some(other) = over_one_root(&terms, false).map(|terms| grouped(&terms)).filter(|other| size(other) < size(&result)) {
         result = other;
     }
-    // Keep the form stated by the rule unless the result is shorter by at least a sixth.
-    if 6 * size(&result) <= 5 * size(expr) { result } else { expr.clone() }
+    // Keep the form stated by the rule unless the result is shorter by at least an eleventh, as E a (2 d + 4 h/3).
+    if 11 * size(&result) <= 10 * size(expr) { result } else { expr.clone() }
 }
 
 /// The sum over one denominator, with its numerator multiplied out and collected; `None` if it has one already, or would be too long.

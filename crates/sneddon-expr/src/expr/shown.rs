@@ -33,7 +33,13 @@ pub fn shown_with_logarithms(expr: &Expr) -> Expr {
     let form = |row: &Row, a: &[Expr]| match (row.name, a) {
         ("asinh", [z]) => ln(z + (z.power(2) + Expr::one()).sqrt()),
         ("acosh", [z]) => ln(z + (z.power(2) - Expr::one()).sqrt()),
-        ("atanh", [z]) => ln((Expr::one() + z) / (Expr::one() - z)).map(|own| own / Expr::integer(2)),
+        // ln((R + x)/(R − x))/2 for x/R.
+        ("atanh", [z]) => {
+            let (above, below) =
+                z.factors().into_iter().partition::<Vec<_>, _>(|own| !own.split_power().1.split_coefficient().0.is_negative());
+            let (above, below) = (Expr::product(above), Expr::product(below).recip());
+            ln((&below + &above) / (below - above)).map(|own| own / Expr::integer(2))
+        }
         _ => row.shown.filter(|_| !row.has_sign).map(|rule| rule(a)),
     };
     replaced(expr, &form)
