@@ -34,7 +34,8 @@ impl Rank {
             Node::Symbol(symbol) if symbol.name() == "E" => Self::Modulus,
             Node::Symbol(symbol) if VARIABLES.contains(&symbol.name()) => Self::Variable,
             Node::Symbol(_) => Self::Parameter,
-            Node::Function(..) if factor.base.symbols().is_empty() => Self::Constant,
+            // Γ(7/4) stands with the numbers, while w ln 2 is customary.
+            Node::Function(function, _) if function.name() == "gamma" && factor.base.symbols().is_empty() => Self::Constant,
             Node::Function(function, _) if function.name() == "exp" => Self::Exponential,
             Node::Function(..) => Self::Function,
             Node::Sum(_) if factor.whole().is_some() => Self::Sum,
