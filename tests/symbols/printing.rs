@@ -120,11 +120,15 @@ fn decimals_stay_under_their_root() {
         ("2*sqrt(2546)/381.9*E*d^(3/2)", "4/3*E*d*sqrt(d/25.46)"),
         ("sqrt(2*R*d)/2", "sqrt(2*R*d)/2"),
         ("3*sqrt(3)*d/4", "3*sqrt(3)/4*d"),
+        // The decimal would not be seen, and the formula would be printed in another way after it was read.
+        ("0.5625*pi*sqrt(2*x)", "0.5625*pi*sqrt(2*x)"),
     ] {
         let own = parse::formula(typed).unwrap();
         let shown = print::text(&own);
         assert_eq!(shown, printed, "{typed}");
-        assert_eq!(parse::formula(&shown).unwrap(), own, "{typed}");
+        let again = parse::formula(&shown).unwrap();
+        assert_eq!(again, own, "{typed}");
+        assert_eq!(print::text(&again), shown, "{typed}");
     }
     // Where parsing would not restore it, only the other notations write the short form.
     let own = parse::formula("0.12*63500^(5/6)/889*E*d^(7/6)").unwrap();

@@ -113,6 +113,11 @@ fn distributed(upper: &[Factor], lower: &[Factor], mut has_decimals: bool, reads
     }
     // Not every number has one form: 80^(5/6)/32 is 12500^(1/6)/4, and sqrt(6.29)/sqrt(6.33) is a product of two roots.
     let (above, below) = best.1.printed_parts();
+    // Without a decimal that is written, the formula has none after it was read.
+    let (over, under) = best.0.printed_parts();
+    if has_decimals && [&above, &below, &over, &under].into_iter().all(Number::is_integer) {
+        return None;
+    }
     let as_now =
         Expr::product(roots.iter().map(|(base, exponent)| Expr::number(base.clone()).pow(&Expr::number(Number::from(exponent.clone())))));
     let as_best = Expr::number(best.1.clone()).pow(&Expr::ratio(1, i64::from(order)));
