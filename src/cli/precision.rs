@@ -5,7 +5,7 @@ use crate::report::Digits;
 
 #[derive(clap::Args)]
 pub(super) struct PrecisionArguments {
-    /// Significant digits of the values in text and CSV [default: all]; error bounds include the rounding.
+    /// Significant digits of the values in text, CSV and pages [default: all, and 6 on pages]; error bounds include the rounding.
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     precision: Option<String>,
 }

@@ -83,7 +83,8 @@ fn stresses_do_not_depend_on_the_unit() {
             assert!(off <= found.error + usual.error, "{text}, R = {unit:e}: {found:?} instead of {usual:?}");
         }
     }
-    assert!(answered >= cases(12, 126), "{answered}");
+    // Next to underflow, in units below 1e-296, some stresses have no digit that is certain, and no value.
+    assert!(answered >= cases(12, 120), "{answered}");
 }
 
 /// Class "a length compared with a number": f′ of these shapes is nearly constant from 1e-12 of the axis on, in a small enough unit.

@@ -167,7 +167,7 @@ pub fn page(compared: &[Compared]) -> String {
     text.push_str(
         "This document is written by `cargo run --release -p sneddon-runs --bin side_by_side > docs/side-by-side.md`; a test checks that it is up to date.\n\n",
     );
-    text.push_str("It shows equations of chapter 3 of Popov & Heß as they are printed there, each followed by the command for the program's counterpart and by the formula in its answer.\n");
+    text.push_str("It shows equations of chapter 3 of Popov & Heß as the book prints them, each followed by the command for the program's counterpart and by the formula in its answer.\n");
     text.push_str(
         "[sources.md](sources.md) names the book and lists its misprints, and [theory.md](theory.md) explains the equations.\n\n",
     );
