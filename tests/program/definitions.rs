@@ -137,7 +137,9 @@ fn labels_name_their_derivation() {
 /// Class "a parameter with the letter of a quantity or of a function": pages set it apart by an index, text and JSON keep it as typed.
 #[test]
 fn parameters_that_collide_are_set_apart() {
-    let profiles: [(&str, &str, &[&str]); 6] = [
+    let profiles: [(&str, &str, &[&str]); 7] = [
+        // R_F has an index.
+        ("C*sqrt(R+r)", "F", &[]),
         ("F*r^2+p*r^4", "F,p,g", &["F", "p"]),
         ("k*r+nu*r^3", "k,F", &["k"]),
         ("piecewise(0,r<K,(r^2-K^2)/(2*F))", "g,p", &["F"]),

@@ -71,7 +71,7 @@ fn a_single_pixel_fails_wherever_it_is() {
     }
 }
 
-/// A solver's noise is no fault, and a ring of contradicting pixels is one.
+/// Validation accepts the noise of a solver and rejects a ring of pixels that contradict each other.
 #[test]
 fn noise_passes_and_contradicting_rings_fail() {
     let mut seed = 1_u64;

@@ -5,21 +5,6 @@ use crate::expr::{Bindings, Expr, Formula, Node, Symbol, shown_as_mathematics};
 use crate::print::Prose;
 use std::collections::BTreeSet;
 
-/// Special functions and the letters with which they are printed.
-const LETTERS: [(&str, &str); 11] = [
-    ("ellipk", "K"),
-    ("ellipe", "E"),
-    ("ellipf", "F"),
-    ("fresnelc", "C"),
-    ("fresnels", "S"),
-    ("besselj", "J"),
-    ("besseli", "I"),
-    ("struveh", "H"),
-    ("struvel", "L"),
-    ("dawson", "D"),
-    ("betainc", "B"),
-];
-
 impl Page {
     /// The page with indices for parameters that would be read as a quantity or a function, and a remark for each below the first equation.
     pub(super) fn apart(&self) -> Self {
@@ -72,7 +57,9 @@ impl Page {
         for expr in self.formulas().flat_map(Formula::expressions) {
             for own in shown_as_mathematics(expr).parts() {
                 let Node::Function(function, _) = own.node() else { continue };
-                letters.extend(LETTERS.iter().filter(|own| own.0 == function.name()).map(|own| own.1.to_owned()));
+                // The index of R_F tells it from a radius R.
+                let printed = function.row().typeset.letters;
+                letters.extend(printed.index.is_empty().then(|| printed.text.to_owned()));
             }
         }
         letters

@@ -19,10 +19,14 @@ impl Page {
                 names.avoid_symbols(right);
             }
         }
+        let unused = names.clone();
         let mut blocks = Vec::with_capacity(self.blocks.len());
         let mut defined = Vec::new();
         for block in &self.blocks {
             let Block::Equation { key, left, right, sources, .. } = block else {
+                if self.has_separate_sections && matches!(block, Block::Heading(..)) {
+                    names = unused.clone();
+                }
                 blocks.push(block.clone());
                 continue;
             };

@@ -30,6 +30,8 @@ pub struct Page {
     is_text: bool,
     /// The parameters of the shape.
     parameters: Vec<String>,
+    /// True if the names of parts apply to one section only.
+    has_separate_sections: bool,
     /// The symbol of the contact radius.
     radius: String,
     /// The beginning of the labels, from the first formula, so that two derivations have no label in common.
@@ -117,6 +119,7 @@ impl Page {
             title: title.to_owned(),
             is_text,
             parameters: Vec::new(),
+            has_separate_sections: false,
             radius: presentation.name("a"),
             mark: String::new(),
             blocks: Vec::new(),

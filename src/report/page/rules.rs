@@ -9,6 +9,7 @@ impl Page {
     /// Creates the page of the catalogue.
     pub fn of_rules(statements: &[Statement]) -> Self {
         let mut page = Self::new("Exact solutions", true, &Presentation::default());
+        page.has_separate_sections = true;
         page.sentence(Prose::read(
             "Each rule solves one family of terms of $f'(r)$; the solution of a profile is the sum of the solutions of its terms",
         ));

@@ -156,7 +156,7 @@ pub(in crate::validate) type Columns = Vec<(&'static str, &'static str, String)>
 /// Prefixes of units, with their powers of ten.
 const PREFIXES: [(&str, i32); 8] = [("p", -12), ("n", -9), ("u", -6), ("m", -3), ("", 0), ("k", 3), ("M", 6), ("G", 9)];
 
-/// Returns the unit that is smaller by a power of ten, such as um for mm and 3; `None` if there is no prefix for it.
+/// Divides a unit by a power of ten: `smaller("mm", 3)` is um. Returns `None` if no prefix exists for the result.
 fn smaller(unit: &str, power: i32) -> Option<String> {
     let base = ["Pa", "N", "m"].into_iter().find(|base| unit.ends_with(base))?;
     let prefix = unit.strip_suffix(base)?;

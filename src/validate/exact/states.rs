@@ -36,7 +36,7 @@ const FEW: usize = 12;
 /// Bits of the significand that tell a range.
 const BITS: u32 = 4;
 /// Largest relative difference between the polynomial and solved states, …
-const SAME: f64 = 1e-11;
+const SAME: f64 = 1e-12;
 /// … and the tolerance below which every state is solved.
 const DEMANDING: f64 = 1e-7;
 

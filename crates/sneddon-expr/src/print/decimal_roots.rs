@@ -80,22 +80,15 @@ fn distributed(upper: &[Factor], lower: &[Factor], mut has_decimals: bool, reads
     if roots.is_empty() || order > 9 || !has_partner {
         return None;
     }
-    let mut whole = outside.power(i64::from(order))?;
-    for (base, exponent) in &roots {
-        let power = (exponent * BigRational::from_integer(order.into())).to_integer().to_i64()?;
-        whole = product(&whole, &base.power(power)?);
-        if whole.bits() > LARGEST {
-            return None;
-        }
-    }
     let cost = |outside: &Number, inside: &Number| (digits(outside) + digits(inside), digits(inside));
     let decimal = |value: BigRational| if has_decimals { Number::from(value).with_decimals() } else { Number::from(value) };
     let typed = roots.iter().try_fold(Number::integer(1), |all, (base, exponent)| {
         let power = (exponent * BigRational::from_integer(order.into())).to_integer().to_i64()?;
         Some(product(&all, &base.power(power)?))
     })?;
+    let whole = product(&outside.power(i64::from(order))?, &typed);
     let now = cost(&outside, &typed);
-    if !has_decimals && now.0 < MANY {
+    if whole.bits() > LARGEST || (!has_decimals && now.0 < MANY) {
         return None;
     }
     let best = taken_out(whole.value(), order)
@@ -111,13 +104,13 @@ fn distributed(upper: &[Factor], lower: &[Factor], mut has_decimals: bool, reads
     if !reads_back {
         return Some((best.0, best.1, order));
     }
-    // Not every number has one form: 80^(5/6)/32 is 12500^(1/6)/4, and sqrt(6.29)/sqrt(6.33) is a product of two roots.
     let (above, below) = best.1.printed_parts();
     // Without a decimal that is written, the formula has none after it was read.
     let (over, under) = best.0.printed_parts();
     if has_decimals && [&above, &below, &over, &under].into_iter().all(Number::is_integer) {
         return None;
     }
+    // Not every number has one form: 80^(5/6)/32 is 12500^(1/6)/4, and sqrt(6.29)/sqrt(6.33) is a product of two roots.
     let as_now =
         Expr::product(roots.iter().map(|(base, exponent)| Expr::number(base.clone()).pow(&Expr::number(Number::from(exponent.clone())))));
     let as_best = Expr::number(best.1.clone()).pow(&Expr::ratio(1, i64::from(order)));
