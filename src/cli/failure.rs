@@ -17,20 +17,20 @@ use std::ops::Range;
 pub struct Failure {
     message: String,
     help: Option<String>,
-    place: Option<Place>,
+    place: Option<Excerpt>,
     incomplete: bool,
 }
 
 /// A text with the part of it that caused the error.
 #[derive(Debug)]
-struct Place {
+struct Excerpt {
     name: String,
     text: String,
     span: Range<usize>,
 }
 
 /// Maximum number of characters of an error message, and of its first line.
-const MOST: usize = 300;
+const MOST_CHARACTERS: usize = 300;
 const FIRST: usize = 120;
 /// Maximum and minimum width of an excerpt, including its dots.
 const SHOWN: usize = 120;
@@ -129,7 +129,7 @@ impl Failure {
 
     /// Adds the position of the error.
     pub(super) fn at(mut self, name: &str, text: &str, span: Range<usize>) -> Self {
-        self.place = Some(Place { name: name.to_owned(), text: text.to_owned(), span });
+        self.place = Some(Excerpt { name: name.to_owned(), text: text.to_owned(), span });
         self
     }
 
@@ -143,7 +143,7 @@ impl Failure {
 
     fn write(&self, colour: bool, out: &mut dyn Write) -> io::Result<()> {
         let (bold, plain) = if colour { ("\x1b[1;31m", "\x1b[0m") } else { ("", "") };
-        let position = self.place.as_ref().map(Place::position);
+        let position = self.place.as_ref().map(Excerpt::position);
         let is_long = |text: &str| text.chars().count() + PREFIX > FIRST + 1;
         let whole = position.as_ref().map_or_else(|| self.message.clone(), |position| format!("{position}: {}", self.message));
         // If the position and the message do not fit on one line, print the position on the next.
@@ -154,7 +154,7 @@ impl Failure {
         let (message, help) = parts.map_or((whole.as_str(), self.help.as_deref()), |(message, help)| (message, Some(help)));
         let message = line(message);
         writeln!(out, "{bold}error{plain}: {message}")?;
-        let mut room = MOST - PREFIX - message.chars().count();
+        let mut room = MOST_CHARACTERS - PREFIX - message.chars().count();
         if let Some(position) = apart {
             let position = cut(position, FIRST / 2);
             writeln!(out, "  at {position}")?;
@@ -172,7 +172,7 @@ impl Failure {
     }
 }
 
-impl Place {
+impl Excerpt {
     /// Returns the name of the text with line and column.
     fn position(&self) -> String {
         let (line, column) = parse::position(&self.text, self.span.clone());
@@ -344,5 +344,5 @@ fn expected(reason: &str) -> String {
 /// Prints a warning on stderr.
 pub(super) fn warn(message: &str) {
     // A warning that cannot be written is not an error.
-    let _ = writeln!(io::stderr(), "warning: {}", shortened(message, MOST - WARNING));
+    let _ = writeln!(io::stderr(), "warning: {}", shortened(message, MOST_CHARACTERS - WARNING));
 }

@@ -2,7 +2,7 @@
 
 use super::Failure;
 use super::failure::warn;
-use super::units::{Units, finite};
+use super::units::{CallUnits, finite};
 use crate::contact::rim_radius;
 use crate::expr::{Bindings, Expr, Formula, Node, Number, Symbol};
 use crate::parse::{self, ParseError};
@@ -33,23 +33,23 @@ pub(super) struct ProfileArguments {
 
 impl ProfileArguments {
     /// Returns the units of the parameter values, of other lengths, and of the modulus.
-    pub(super) fn units(&self, lengths: &[Option<&str>], modulus: Option<&str>) -> Units {
-        Units::of(&self.set, lengths, modulus)
+    pub(super) fn units(&self, lengths: &[Option<&str>], modulus: Option<&str>) -> CallUnits {
+        CallUnits::of(&self.set, lengths, modulus)
     }
 
     /// Reads the profile and the parameter values.
-    pub(super) fn read(&self, units: &Units) -> Result<(Typed, Settings), Failure> {
+    pub(super) fn read(&self, units: &CallUnits) -> Result<(Typed, Settings), Failure> {
         self.read_with(parse::profile, units)
     }
 
     /// Reads a punch with a rim; its radius a may appear in f.
-    pub(super) fn read_punch(&self, units: &Units) -> Result<(Typed, Settings), Failure> {
+    pub(super) fn read_punch(&self, units: &CallUnits) -> Result<(Typed, Settings), Failure> {
         // In f, the radius of the rim is a constant that --set does not change; in the formulas it is the contact radius.
         let named = |text: &str| Ok(parse::punch(text)?.substitute(&Bindings::one("a", rim_radius().into())));
         self.read_with(named, units)
     }
 
-    fn read_with(&self, read: impl Fn(&str) -> Result<Formula, ParseError>, units: &Units) -> Result<(Typed, Settings), Failure> {
+    fn read_with(&self, read: impl Fn(&str) -> Result<Formula, ParseError>, units: &CallUnits) -> Result<(Typed, Settings), Failure> {
         let text = match &self.shape {
             Some(name) => self.formula_of(shape(name)?).to_owned(),
             None => text(self.profile.as_deref().unwrap_or_default())?,
@@ -66,7 +66,7 @@ impl ProfileArguments {
 }
 
 /// Reads one of several profiles, with those of the settings that belong to its parameters.
-pub(super) fn one_profile(argument: &str, set: &[String], units: &Units) -> Result<(Typed, Settings), Failure> {
+pub(super) fn one_profile(argument: &str, set: &[String], units: &CallUnits) -> Result<(Typed, Settings), Failure> {
     let text = text(argument)?;
     let own: Vec<String> = set.iter().filter(|item| is_about(item, &text)).cloned().collect();
     profile_of(text, &own, parse::profile, units)
@@ -82,7 +82,7 @@ fn profile_of(
     text: String,
     set: &[String],
     read: impl Fn(&str) -> Result<Formula, ParseError>,
-    units: &Units,
+    units: &CallUnits,
 ) -> Result<(Typed, Settings), Failure> {
     let formula = read(&text).map_err(|error| Failure::parse("PROFILE", &text, &error))?;
     let typed = Typed { text, formula };
@@ -149,7 +149,7 @@ struct Setting {
 
 impl Settings {
     /// Parses `--set NAME=VALUE`; every name must be a parameter of the profile, and every value must be positive.
-    pub(super) fn read(list: &[String], typed: &Typed, units: &Units) -> Result<Self, Failure> {
+    pub(super) fn read(list: &[String], typed: &Typed, units: &CallUnits) -> Result<Self, Failure> {
         let parameters = parameters(&typed.formula);
         let mut settings: Vec<Setting> = Vec::new();
         for item in list {
@@ -231,7 +231,7 @@ impl Settings {
     }
 
     /// Returns the units of the values, in the same order.
-    pub(super) fn units(&self, units: &Units) -> Vec<String> {
+    pub(super) fn units(&self, units: &CallUnits) -> Vec<String> {
         self.0.iter().map(|own| units.name(own.dimension)).collect()
     }
 

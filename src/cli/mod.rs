@@ -26,7 +26,7 @@ use std::process::ExitCode;
 #[doc(hidden)]
 pub mod inner {
     pub use super::points::read;
-    pub use super::units::Units;
+    pub use super::units::CallUnits;
 }
 
 /// Solves contact problems from the shape of an indenter, with formulas and numbers.

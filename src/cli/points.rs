@@ -2,17 +2,17 @@
 
 use super::Failure;
 use super::failure::warn;
-use super::units::Units;
+use super::units::CallUnits;
 use crate::contact::{Measured, Reason};
 use crate::scene::{Dimension, Loads, Steps};
 
 /// Maximum number of points.
-const MOST: usize = 1_000_000;
+const MOST_POINTS: usize = 1_000_000;
 
 const ACCEPTED: &str = "expected numbers such as 0.1,0.5, a range start:stop:count, or log:start:stop:count";
 
 /// Parses a list of points; each must be a finite number of this dimension, at least 0.
-pub fn read(list: &str, units: &Units, dimension: Dimension) -> Result<Vec<f64>, Failure> {
+pub fn read(list: &str, units: &CallUnits, dimension: Dimension) -> Result<Vec<f64>, Failure> {
     if list.trim().is_empty() {
         return Err(Failure::new("--at is empty").help(ACCEPTED));
     }
@@ -49,10 +49,10 @@ pub fn read(list: &str, units: &Units, dimension: Dimension) -> Result<Vec<f64>,
 /// Parses the number of points in a range; `already` is the number of points before it.
 fn counted(text: &str, already: usize) -> Result<usize, String> {
     let count: usize =
-        text.trim().parse().map_err(|_| format!("{text} is not a number of points; expected a whole number from 1 to {MOST}"))?;
+        text.trim().parse().map_err(|_| format!("{text} is not a number of points; expected a whole number from 1 to {MOST_POINTS}"))?;
     match count {
         0 => Err("a range of 0 points is empty".to_owned()),
-        count if count.saturating_add(already) > MOST => Err(format!("{count} points are too many; the limit is {MOST}")),
+        count if count.saturating_add(already) > MOST_POINTS => Err(format!("{count} points are too many; the limit is {MOST_POINTS}")),
         count => Ok(count),
     }
 }

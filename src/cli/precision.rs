@@ -38,7 +38,7 @@ impl PrecisionArguments {
 pub(super) fn significant<T>(option: &str, text: &str, read: impl Fn(&str) -> Option<T>) -> Result<T, Failure> {
     read(text.trim()).ok_or_else(|| {
         let fault = if text.trim().parse::<i64>().is_ok() { "is out of range" } else { "is not a whole number" };
-        let help = format!("expected a whole number from 1 to {}", Digits::MOST);
+        let help = format!("expected a whole number from 1 to {}", Digits::MAXIMUM);
         Failure::new(format!("{option} {} {fault}", text.trim())).help(help).at(option, text, 0..text.len())
     })
 }

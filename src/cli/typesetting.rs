@@ -114,7 +114,7 @@ impl TypesettingArguments {
 
     /// Returns the changes to the formulas in the output for a profile; `quantities` are those in the output, `None` for all.
     pub(super) fn presentation(&self, profile: &Formula, quantities: Option<&[Quantity]>) -> Result<Presentation, Failure> {
-        let count = |text: &str| text.parse().ok().filter(|own: &u32| (1..=Digits::MOST).contains(&(*own as usize)));
+        let count = |text: &str| text.parse().ok().filter(|own: &u32| (1..=Digits::MAXIMUM).contains(&(*own as usize)));
         let digits = self.digits.as_deref().map(|text| significant("--digits", text, count)).transpose()?;
         let logarithms = self.inverse_hyperbolic == InverseHyperbolic::Log;
         Ok(Presentation { names: self.names(profile, quantities)?, digits, logarithms, ..Presentation::of(profile) })

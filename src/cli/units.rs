@@ -9,9 +9,9 @@ use crate::parse;
 use crate::scene::{Counting, Dimension, DimensionedNumber, SceneError, to_double_double};
 
 /// The units of one call, taken from its first length and its modulus; empty if no number has a unit.
-pub struct Units(Counting);
+pub struct CallUnits(Counting);
 
-impl Units {
+impl CallUnits {
     /// Determines the units from the parameter values, other lengths and lists of lengths, and the modulus.
     pub fn of(set: &[String], lengths: &[Option<&str>], modulus: Option<&str>) -> Self {
         let set = set.iter().filter_map(|item| item.split_once('=')).map(|(_, value)| value);

@@ -229,7 +229,7 @@ impl<'m, 'a> Run<'m, 'a> {
     fn value(&mut self, value: &'m Code<'a>, variables: &mut Variables) -> Option<Traced> {
         Some(match value {
             Code::Number(number) => self.leaf(*number),
-            Code::Place(place) => *variables.numbers.get(*place)?,
+            Code::Variable(place) => *variables.numbers.get(*place)?,
             Code::Element(array, index) => {
                 let index = self.value(index, variables)?;
                 *variables.element(*array, index)?

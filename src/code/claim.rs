@@ -138,7 +138,7 @@ fn at_most(value: f64) -> String {
 }
 
 /// An error at one point, in ulps.
-struct Found {
+struct PointError {
     /// The running bound, or the one to first order.
     ulps: f64,
     is_refined: bool,
@@ -162,7 +162,7 @@ fn of(
     let mut machine = Machine::new(&program.routines, &library);
     let is_solved = program.is_solved(quantity);
     let mut sampler = Sampler::new(0x5eed);
-    let (mut found, mut truths): (Vec<Found>, Vec<Truth<'_>>) = (Vec::new(), Vec::new());
+    let (mut found, mut truths): (Vec<PointError>, Vec<Truth<'_>>) = (Vec::new(), Vec::new());
     // Of all draws; infinite if the profile ends.
     let mut range = (0.0_f64, f64::INFINITY);
     for _ in 0..if program.parameters.is_empty() { 1 } else { DRAWS } {
@@ -180,12 +180,12 @@ fn of(
         for (index, place) in list.into_iter().enumerate() {
             let Some(coordinates) = arguments_at(quantity, place, index, truth.contact.evaluator()) else { continue };
             let Some(ulps) = error_at(&mut machine, &truth, is_solved, &coordinates, place) else { continue };
-            found.push(Found { ulps, is_refined: false, place, coordinates, draw: truths.len() });
+            found.push(PointError { ulps, is_refined: false, place, coordinates, draw: truths.len() });
         }
         truths.push(truth);
     }
     found.sort_by(|one, other| other.ulps.total_cmp(&one.ulps));
-    let mut refined = |own: &mut Found, truth: &Truth<'_>| {
+    let mut refined = |own: &mut PointError, truth: &Truth<'_>| {
         if !std::mem::replace(&mut own.is_refined, true) {
             machine.start_record();
             let ulps = error_at(&mut machine, truth, is_solved, &own.coordinates, own.place);

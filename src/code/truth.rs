@@ -16,7 +16,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 pub(super) const STEP: f64 = 1e-6;
 /// Relative steps for condition numbers. The largest result is used, because at large radii a wave may be shorter than the first step;
 /// where two results agree, the larger step was short enough. The last step reaches the next double.
-const STEPS: [f64; 4] = [STEP, 1e-9, 1e-12, f64::EPSILON];
+const RELATIVE_STEPS: [f64; 4] = [STEP, 1e-9, 1e-12, f64::EPSILON];
 /// Two changes of f that agree are those of a slope where the first one is at most this part of f.
 const LINEAR: f64 = 0.1;
 /// Steps of the double exponential rule for [`Truth::of_shape`] in a unit, and on both sides.
@@ -182,7 +182,7 @@ impl<'a> Truth<'a> {
                 coordinates.iter().enumerate().map(|(i, own)| if i == index { own * factor } else { *own }).collect()
             };
             let change = |step: f64| share(step, [1.0 + step, 1.0 - step].map(|factor| self.value(&at(factor), place)));
-            total += steepest(STEPS.into_iter(), change)?;
+            total += steepest(RELATIVE_STEPS.into_iter(), change)?;
         }
         if total >= enough {
             return Some(total);
@@ -249,7 +249,7 @@ impl<'a> Truth<'a> {
         };
         let moved = |(name, value): (&String, &f64)| {
             let pair = |step: f64| Some((step, [with(name, value * (1.0 + step))?, with(name, value * (1.0 - step))?]));
-            STEPS.into_iter().filter_map(pair).collect()
+            RELATIVE_STEPS.into_iter().filter_map(pair).collect()
         };
         self.names.iter().zip(&self.values).map(moved).collect()
     }

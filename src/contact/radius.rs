@@ -49,7 +49,7 @@ const HALVINGS: [(u64, u32); 3] = [(5_000, 8), (200_000, 6), (u64::MAX, 4)];
 /// Number of bisections that are made in any case.
 const CERTAIN: u32 = 2;
 /// Maximum number of iterations to locate a local maximum of g, or the radius where g ceases to exist.
-const STEPS: u32 = 60;
+const MOST_ITERATIONS: u32 = 60;
 /// The search ends after this many consecutive samples whose error exceeds their value.
 const LOST: u32 = 3;
 /// A search that has taken this many steps attempts to prove that no radius exists.
@@ -441,7 +441,7 @@ impl Look<'_> {
 
     /// Bisects toward the radius beyond which g does not exist, or has no value by the chosen method.
     fn approach(&mut self, mut outer: f64, seen: &mut Seen) {
-        for _ in 0..STEPS {
+        for _ in 0..MOST_ITERATIONS {
             let Some((inner, _)) = seen.places.last().copied() else { break };
             let a = inner + 0.5 * (outer - inner);
             if a <= inner || a >= outer || work::is_exhausted() {
@@ -466,7 +466,7 @@ impl Look<'_> {
                 continue;
             }
             let (mut low, mut high, mut best) = (before.0, after.0, *own);
-            for _ in 0..STEPS {
+            for _ in 0..MOST_ITERATIONS {
                 if high - low <= 1e-8 * best.0 {
                     break;
                 }

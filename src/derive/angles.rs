@@ -180,7 +180,7 @@ fn half_angle(place: usize) -> (Expr, Expr) {
 fn over_units(expr: &Expr, unit: &dyn Fn(usize) -> (Expr, Expr)) -> Option<Expr> {
     let mut calls = Vec::new();
     collect(expr, &mut calls);
-    let units = Units::of(&calls.iter().filter_map(argument).collect::<Vec<_>>());
+    let units = AngleUnits::of(&calls.iter().filter_map(argument).collect::<Vec<_>>());
     let mut values = Vec::with_capacity(calls.len());
     for call in &calls {
         let Node::Function(function, arguments) = call.node() else { return None };
@@ -232,9 +232,9 @@ fn expanded_under_roots(expr: &Expr) -> Expr {
 }
 
 /// For every base of an angle, such as θ, the largest number of which all its factors are integer multiples.
-struct Units(Vec<(Expr, BigRational)>);
+struct AngleUnits(Vec<(Expr, BigRational)>);
 
-impl Units {
+impl AngleUnits {
     fn of(angles: &[Expr]) -> Self {
         let mut units: Vec<(Expr, BigRational)> = Vec::new();
         for term in angles.iter().flat_map(Expr::terms) {

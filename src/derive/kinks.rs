@@ -294,10 +294,10 @@ const EXPECTED: f64 = 8.0;
 
 /// The decades of r that are searched for kinks.
 const SEARCH: std::ops::Range<i32> = -307..308;
-/// The decades that are always scanned in [`STEPS`] steps; others are scanned only if [`needs_scan`] returns true.
+/// The decades that are always scanned in [`STEPS_PER_DECADE`] steps; others are scanned only if [`needs_scan`] returns true.
 const USUAL: std::ops::Range<i32> = -30..30;
 /// Steps of the scan of a decade.
-const STEPS: u32 = 300;
+const STEPS_PER_DECADE: u32 = 300;
 /// Maximum number of consecutive decades outside [`USUAL`] to scan; only a wave without end needs more.
 const IN_A_ROW: u32 = 20;
 
@@ -334,7 +334,7 @@ fn isolate(expr: &Expr, range: [Option<f64>; 2], name: &'static str) -> Result<C
     let mut places = SEARCH.flat_map(|decade| {
         let is_usual = USUAL.contains(&decade);
         in_a_row = if is_usual || !needs_scan(&value, decade) { 0 } else { in_a_row + 1 };
-        let steps = if is_usual || (1..=IN_A_ROW).contains(&in_a_row) { STEPS } else { 1 };
+        let steps = if is_usual || (1..=IN_A_ROW).contains(&in_a_row) { STEPS_PER_DECADE } else { 1 };
         (0..steps).map(move |step| 10f64.powf(f64::from(decade) + f64::from(step) / f64::from(steps)))
     });
     let mut roots: Vec<f64> = Vec::new();

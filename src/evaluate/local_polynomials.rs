@@ -22,10 +22,10 @@ const KEPT: usize = 8;
 
 /// The polynomials of the slices so far.
 #[derive(Default)]
-pub(crate) struct PolynomialCache(Mutex<Vec<Own>>);
+pub(crate) struct PolynomialCache(Mutex<Vec<CachedPolynomials>>);
 
-/// Those of a quantity at a contact radius, by its bits.
-type Own = (Superposed, Option<u64>, Arc<Dense>);
+/// The polynomials of a quantity at a contact radius, whose bits are the key.
+type CachedPolynomials = (Superposed, Option<u64>, Arc<Dense>);
 
 impl PolynomialCache {
     fn of(&self, quantity: Superposed, radius: Option<f64>) -> Arc<Dense> {

@@ -211,7 +211,7 @@ pub(crate) fn modest(found: Estimate, own: f64, asked: f64) -> Estimate {
 pub(crate) const GRADES: &[f64] = &[1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
 
 /// Most points of a rule.
-pub(crate) const MOST: usize = 61;
+pub(crate) const MOST_POINTS: usize = 61;
 
 impl NumericSegment {
     /// The part of the integral on this interval; 0 if it begins beyond x.

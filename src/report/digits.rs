@@ -10,9 +10,9 @@ pub struct Digits(Option<usize>);
 
 impl Digits {
     /// The number of digits that identify every double.
-    pub const MOST: usize = 17;
+    pub const MAXIMUM: usize = 17;
 
-    /// Returns a rounding to `count` digits, from 1 to [`Self::MOST`]; `None` for any other number.
+    /// Returns a rounding to `count` digits, from 1 to [`Self::MAXIMUM`]; `None` for any other number.
     ///
     /// ```
     /// use sneddon::report::Digits;
@@ -20,7 +20,7 @@ impl Digits {
     /// assert_eq!(Digits::significant(0), None);
     /// ```
     pub fn significant(count: usize) -> Option<Self> {
-        (1..=Self::MOST).contains(&count).then_some(Self(Some(count)))
+        (1..=Self::MAXIMUM).contains(&count).then_some(Self(Some(count)))
     }
 
     /// Rounds a value and returns the double nearest to the result.

@@ -1,7 +1,7 @@
 //! The result of `invert`, and its JSON output.
 
 use super::Unchecked;
-use super::json::{Check, Completion, Quantity, Readings, Step, Typeset, write};
+use super::json::{Check, Completion, Readings, StatedFormula, Step, Typeset, write};
 use super::record::rounding;
 use super::text::{row, table};
 use crate::contact::{self, Measured, Reason};
@@ -123,7 +123,7 @@ pub fn json(record: &Inversion<'_>, steps: Option<&[contact::Step]>, presentatio
         #[serde(flatten)]
         complete: Completion,
         g: Typeset,
-        f: Quantity<'a>,
+        f: StatedFormula<'a>,
         at_axis: Typeset,
         conditions: Vec<String>,
         notes: Vec<String>,
@@ -143,7 +143,7 @@ pub fn json(record: &Inversion<'_>, steps: Option<&[contact::Step]>, presentatio
         force: wanted.map(|own| typeset(own.force)),
         complete: Completion(record.why()),
         g: Typeset::of(&presentation.formula(record.equivalent)),
-        f: Quantity::presented(&record.profile, presentation),
+        f: StatedFormula::presented(&record.profile, presentation),
         at_axis: typeset(record.at_axis),
         conditions: record.conditions.iter().map(|own| print::text_condition(&presentation.condition(own))).collect(),
         notes: record.notes(presentation).iter().map(|own| own.written(Notation::Text)).collect(),

@@ -79,13 +79,13 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
         depth: Option<f64>,
         shift: Option<Shift>,
         #[serde(skip_serializing_if = "Option::is_none")]
-        units: Option<Units<'a>>,
+        units: Option<UnitNames<'a>>,
         points: Points<'a>,
         #[serde(flatten)]
         completion: Completion,
     }
     #[derive(Serialize)]
-    struct Units<'a> {
+    struct UnitNames<'a> {
         at: &'a str,
         value: &'a str,
         effective_modulus: &'a str,
@@ -108,7 +108,7 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
         radius: record.radius,
         depth: record.depth,
         shift: record.shift.as_ref().map(|shift| Shift { formula: Typeset::of_expr(&shift.expr), value: shift.value }),
-        units: (!record.units.at.is_empty() || !record.units.modulus.is_empty()).then(|| Units {
+        units: (!record.units.at.is_empty() || !record.units.modulus.is_empty()).then(|| UnitNames {
             at: &record.units.at,
             value: &record.units.value,
             effective_modulus: &record.units.modulus,
@@ -230,14 +230,17 @@ impl Serialize for Entries<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let presentation = self.0.presentation;
         serializer.collect_map(
-            self.0.entries().iter().map(|entry| (entry.key, entry.derived.as_deref().map(|own| Quantity::presented(own, presentation)))),
+            self.0
+                .entries()
+                .iter()
+                .map(|entry| (entry.key, entry.derived.as_deref().map(|own| StatedFormula::presented(own, presentation)))),
         )
     }
 }
 
 /// Returns a formula with its status, rules and sources.
 #[derive(Serialize)]
-pub(super) struct Quantity<'a> {
+pub(super) struct StatedFormula<'a> {
     #[serde(flatten)]
     formula: Typeset,
     status: &'static str,
@@ -247,7 +250,7 @@ pub(super) struct Quantity<'a> {
     reference: &'a [&'static str],
 }
 
-impl<'a> Quantity<'a> {
+impl<'a> StatedFormula<'a> {
     pub(super) fn presented(derived: &'a Derived, presentation: &Presentation) -> Self {
         let formula = Typeset::of(&presentation.formula(&derived.formula));
         Self { formula, status: derived.status.name(), compared: derived.compared, rules: &derived.rules, reference: &derived.reference }

@@ -32,7 +32,7 @@ pub mod validation;
 pub use digits::Digits;
 #[cfg(feature = "data")]
 pub use inversion::{Inversion, Wanted};
-pub use record::{Compared, Derivation, Entry, Evaluation, Shift, Unchecked, Units};
+pub use record::{Compared, Derivation, Entry, Evaluation, Shift, Unchecked, UnitNames};
 #[cfg(feature = "data")]
 pub use reference::Reference;
 #[cfg(feature = "scene")]

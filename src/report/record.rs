@@ -174,12 +174,12 @@ pub struct Evaluation<'a> {
     /// The results of all methods at each coordinate, if requested.
     pub ways: Option<Vec<Vec<Asked>>>,
     /// The units of all values.
-    pub units: Units,
+    pub units: UnitNames,
 }
 
 /// Names of units, empty for numbers without units.
 #[derive(Default)]
-pub struct Units {
+pub struct UnitNames {
     /// The unit of the coordinates, the radius and the depth.
     pub at: String,
     /// The unit of the values.

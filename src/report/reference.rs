@@ -113,7 +113,7 @@ impl Reference<'_, '_> {
     pub fn json(&self, out: &mut dyn Write) -> io::Result<usize> {
         #[derive(Serialize)]
         struct Document<'a, 'b, 'r> {
-            units: Option<Units<'a>>,
+            units: Option<UnitNames<'a>>,
             effective_modulus: f64,
             grid: GridEntry,
             loads: Loads<'a, 'b, 'r>,
@@ -121,7 +121,7 @@ impl Reference<'_, '_> {
             completion: CompletionOf<'b, 'r>,
         }
         #[derive(Serialize)]
-        struct Units<'a> {
+        struct UnitNames<'a> {
             length: &'a str,
             force: &'a str,
             pressure: &'a str,
@@ -134,7 +134,7 @@ impl Reference<'_, '_> {
             Points { x: Vec<f64>, y: Vec<f64>, cells: bool },
         }
         let scene = self.run.scene();
-        let units = scene.system.names().map(|own| Units { length: &own.length, force: &own.force, pressure: &own.pressure });
+        let units = scene.system.names().map(|own| UnitNames { length: &own.length, force: &own.force, pressure: &own.pressure });
         let factor = scene.system.out(Dimension::LENGTH);
         let coordinates = |count: usize| (0..count).map(|index| self.grid.coordinate(index) * factor).collect::<Vec<_>>();
         let grid = match self.grid {

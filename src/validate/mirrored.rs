@@ -10,7 +10,7 @@ const USUAL: f64 = 20.0;
 /// Minimum number of mirrored points, of which most are right.
 const FEWEST: usize = 4;
 /// Maximum number of points with the same |x| and |y| in either order.
-const MOST: usize = 8;
+const IMAGES: usize = 8;
 
 /// The pressures of a field, grouped by |x| and |y| in either order.
 pub(super) struct Mirrored {
@@ -41,9 +41,9 @@ impl Mirrored {
         let group = self.groups.entry((x.min(y), x.max(y))).or_default();
         let expected = match (x.min(y), x.max(y)) {
             (0, 0) => 1,
-            (0, _) => MOST / 2,
-            (least, most) if least == most => MOST / 2,
-            _ => MOST,
+            (0, _) => IMAGES / 2,
+            (least, most) if least == most => IMAGES / 2,
+            _ => IMAGES,
         };
         if group.len() < expected {
             group.push(own);

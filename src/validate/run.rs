@@ -17,7 +17,7 @@ use crate::validate::file::layout::Layout;
 use crate::validate::file::pixel::{Pixel, contradiction, pixels};
 use crate::validate::file::row::Row;
 use crate::validate::file::survey::{Content, Survey};
-use crate::validate::file::units::Units;
+use crate::validate::file::units::DataUnits;
 use std::collections::BTreeSet;
 
 /// The input of a validation.
@@ -45,7 +45,7 @@ pub struct Request<'a> {
 /// [`ValidationError`] if a file or the scene cannot be read.
 pub fn validate(request: &Request<'_>) -> Result<Validation, ValidationError> {
     let scene = request.scene;
-    let mut units = Units::default();
+    let mut units = DataUnits::default();
     let mut surveys = Vec::new();
     for source in request.sources {
         for data in Data::of(source, request.layout, scene)? {

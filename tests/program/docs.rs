@@ -3,8 +3,8 @@
 #![cfg(all(feature = "cli", unix))]
 #![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used)]
 
+use sneddon_checks::chapter::side_by_side::{compared, page, skeleton};
 use sneddon_checks::seeds::sample;
-use sneddon_checks::side_by_side::{compared, page, skeleton};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,11 +1,11 @@
 //! Lists and ranges of points on the command line.
 #![cfg(feature = "cli")]
 
-use sneddon::cli::inner::{Units, read};
+use sneddon::cli::inner::{CallUnits, read};
 use sneddon::contact::Dimension;
 
 fn bare(list: &str) -> Result<Vec<f64>, impl std::fmt::Debug> {
-    read(list, &Units::of(&[], &[], None), Dimension::LENGTH)
+    read(list, &CallUnits::of(&[], &[], None), Dimension::LENGTH)
 }
 
 #[test]

@@ -3,8 +3,8 @@
 
 use sneddon::transform::rules::RULES;
 use sneddon_checks::seeds::cases;
+use sneddon_checks::stability::page::{page, skeleton};
 use sneddon_checks::stability::{Cell, Outcome, cells};
-use sneddon_checks::stability_page::{page, skeleton};
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 

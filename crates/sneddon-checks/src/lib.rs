@@ -15,6 +15,4 @@ pub mod random;
 pub mod rows;
 pub mod scenes;
 pub mod seeds;
-pub mod side_by_side;
 pub mod stability;
-pub mod stability_page;

@@ -14,7 +14,7 @@ const UNIT: f64 = f64::EPSILON * f64::EPSILON;
 /// A term that is smaller than the other by this many binary digits contributes only to the error.
 const FAR: i32 = 900;
 /// Numbers with larger exponents become NaN; the sum of two exponents still fits into an `i32`.
-const MOST: i32 = 1 << 29;
+const MAX_EXPONENT: i32 = 1 << 29;
 
 /// value · 2^exponent with 1 ≤ |value| < 2 or value = 0, and error · 2^exponent bounds the distance to the true value.
 ///
@@ -42,7 +42,7 @@ impl Wide {
     /// number · 2^exponent.
     #[must_use]
     pub fn scaled(number: Precise, exponent: i32) -> Self {
-        if !number.is_finite() || exponent.abs() > MOST {
+        if !number.is_finite() || exponent.abs() > MAX_EXPONENT {
             return Self::nan();
         }
         if number.value.hi == 0.0 {
@@ -80,7 +80,7 @@ impl Wide {
     }
 
     fn is_number(self) -> bool {
-        self.value.hi.is_finite() && self.error.is_finite() && self.exponent.abs() <= MOST
+        self.value.hi.is_finite() && self.error.is_finite() && self.exponent.abs() <= MAX_EXPONENT
     }
 
     fn is_exact_zero(self) -> bool {
@@ -215,7 +215,7 @@ impl Wide {
         }
         let own = if self.exponent < -FAR { Precise::checked(0.0.into(), f64::MIN_POSITIVE) } else { self.precise() };
         let steps = (own.value.hi / std::f64::consts::LN_2).round();
-        if steps.is_nan() || steps.abs() > f64::from(MOST) || own.error > 0.1 {
+        if steps.is_nan() || steps.abs() > f64::from(MAX_EXPONENT) || own.error > 0.1 {
             return Self::nan();
         }
         let rest = own.sub(ln_2().mul(Precise::exact(steps)));

@@ -9,7 +9,7 @@ use crate::contact::{self, Asked, Contact, ContactError, Explained, Measured, Qu
 use crate::eval::constant_value;
 use crate::expr::Bindings;
 use crate::num::{Estimate, work};
-use crate::report::{self, Evaluation, Shift, Units};
+use crate::report::{self, Evaluation, Shift, UnitNames};
 use crate::scene::Dimension;
 use crate::transform::{self, Evaluator, Method, Profile, Reading, TransformError, WAYS, Way};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -227,7 +227,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         at,
         ways,
         readings: readings.into_iter().map(|own| own.map(|own| Reading { estimate: digits.of(own.estimate), ..own })).collect(),
-        units: Units {
+        units: UnitNames {
             at: units.name(quantity.coordinate_dimension()),
             value: units.name(quantity.dimension()),
             modulus: units.name(Dimension::PRESSURE),

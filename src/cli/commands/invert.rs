@@ -2,7 +2,7 @@
 
 use crate::cli::output::OutputArguments;
 use crate::cli::typesetting::{Format, Steps, TypesettingArguments};
-use crate::cli::units::Units;
+use crate::cli::units::CallUnits;
 use crate::cli::{Failure, Outcome, budget, input, points};
 use crate::contact::{ContactError, each_point, inverse_steps, short_inverse_steps, with_reasons};
 use crate::expr::{Bindings, Expr, Formula};
@@ -52,7 +52,7 @@ const TOLERANCE: f64 = 1e-13;
 
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let answer = arguments.output.destination()?;
-    let units = Units::of(&arguments.set, &[arguments.at.as_deref()], None);
+    let units = CallUnits::of(&arguments.set, &[arguments.at.as_deref()], None);
     units.tell();
     let at = arguments.at.as_deref().map(|list| points::read(list, &units, Dimension::LENGTH)).transpose()?.unwrap_or_default();
     let style = arguments.typesetting.style(answer.format().page())?;

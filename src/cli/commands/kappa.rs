@@ -2,7 +2,7 @@
 
 use crate::cli::output::{OutputArguments, Tabular};
 use crate::cli::precision::PrecisionArguments;
-use crate::cli::units::Units;
+use crate::cli::units::CallUnits;
 use crate::cli::{Failure, Outcome, points};
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Node, Number};
@@ -33,7 +33,7 @@ const EXAMPLES: &str = "Examples:
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let answer = arguments.output.destination()?;
     let digits = arguments.precision.digits(answer.format() != Tabular::Json)?;
-    let exponents = points::read(&arguments.at, &Units::of(&[], &[], None), Dimension::NONE)?;
+    let exponents = points::read(&arguments.at, &CallUnits::of(&[], &[], None), Dimension::NONE)?;
     let constant = |n: f64| {
         let unknown = || Failure::new(format!("kappa_n has no value at n = {n:?}"));
         let form = kappa(&Expr::number(Number::from_f64(n).ok_or_else(unknown)?));

@@ -4,7 +4,7 @@ use crate::cli::commands::solve::read;
 use crate::cli::failure::warn;
 use crate::cli::output::{Endings, OutputArguments, OutputFormat};
 use crate::cli::quantities::{Quantities, demand};
-use crate::cli::units::Units;
+use crate::cli::units::CallUnits;
 use crate::cli::{Failure, Outcome, budget, input, tip};
 use crate::contact::{ContactError, Kind, Quantity};
 use crate::expr::Bindings;
@@ -175,7 +175,7 @@ impl Subject {
     }
 
     fn of_profile(arguments: &Arguments, text: &str, data: &[Quantity]) -> Result<Self, Failure> {
-        let units = Units::of(&arguments.set, &[arguments.radius.as_deref()], Some(&arguments.effective_modulus));
+        let units = CallUnits::of(&arguments.set, &[arguments.radius.as_deref()], Some(&arguments.effective_modulus));
         let effective_modulus = units.modulus("--effective-modulus", &arguments.effective_modulus)?;
         let radius = arguments.radius.as_deref().map(|own| units.positive_length("--radius", own)).transpose()?;
         let (typed, settings) = input::one_profile(text, &arguments.set, &units)?;

@@ -47,7 +47,7 @@ pub(in crate::cli) struct Arguments {
     /// Position of the axis: in the middle of a box whose coordinates start at a corner (corner) or, for fields without coordinates,
     /// between the middle pixels (centre) or on a pixel (pixel).
     #[arg(long, value_name = "PLACE")]
-    origin: Option<Place>,
+    origin: Option<OriginChoice>,
     /// Treats pressures as means over pixels, or over rings between radii, as written by `sneddon reference --cells`.
     #[arg(long)]
     cells: bool,
@@ -59,7 +59,7 @@ pub(in crate::cli) struct Arguments {
 
 /// [`Origin`] as an argument.
 #[derive(Clone, Copy, clap::ValueEnum)]
-enum Place {
+enum OriginChoice {
     Corner,
     Centre,
     Pixel,
@@ -135,9 +135,9 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         side,
         shown_side: side.map(|own| own * scene.system.out(Dimension::LENGTH)),
         origin: arguments.origin.map(|own| match own {
-            Place::Corner => Origin::Corner,
-            Place::Centre => Origin::Centre,
-            Place::Pixel => Origin::Pixel,
+            OriginChoice::Corner => Origin::Corner,
+            OriginChoice::Centre => Origin::Centre,
+            OriginChoice::Pixel => Origin::Pixel,
         }),
         radii: !radii.is_empty(),
         cells: arguments.cells.then_some(true),

@@ -31,7 +31,7 @@ pub(super) enum Step<'a> {
 /// A number that is computed.
 pub(super) enum Code<'a> {
     Number(Bounded),
-    Place(usize),
+    Variable(usize),
     Element(usize, Box<Code<'a>>),
     Binary(Operator, Box<[Code<'a>; 2]>),
     Larger(Box<[Code<'a>; 2]>),
@@ -140,7 +140,7 @@ impl<'a> Names<'a, '_> {
         match value {
             Value::Number(number, true) => Code::Number(Bounded::exact(*number)),
             Value::Number(number, false) => Code::Number(Bounded::rounded(*number)),
-            Value::Name(name) => self.numbers.iter().position(|own| own == name).map_or(Code::Unknown, Code::Place),
+            Value::Name(name) => self.numbers.iter().position(|own| own == name).map_or(Code::Unknown, Code::Variable),
             Value::Element(name, index) => {
                 let array = self.arrays.iter().position(|own| own == name);
                 array.map_or(Code::Unknown, |array| Code::Element(array, Box::new(self.value(index))))

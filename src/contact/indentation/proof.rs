@@ -216,14 +216,14 @@ struct Lift {
 }
 
 /// Maximum number of radii inside at which g is evaluated; fewer if g is expensive.
-const STEPS: u32 = 96;
+const MOST_RADII: u32 = 96;
 
 impl Lift {
     fn new(shape: &impl Quantities, a: f64, depth: f64, rises: bool) -> Self {
         let proven = |own: Estimate| (own.bound == Bound::Proven).then_some(own);
         let least = |own: Estimate| FRAC_2_PI * (own.value - own.error) * (1.0 - 4.0 * f64::EPSILON);
         let force = shape.force(a).ok().and_then(|own| proven(own.estimate)).map_or(0.0, least);
-        let count = if rises { affordable(STEPS, || shape.equivalent(0.5 * a)) } else { 0 };
+        let count = if rises { affordable(MOST_RADII, || shape.equivalent(0.5 * a)) } else { 0 };
         let places = (1..=count).map(|step| a * (FRAC_PI_2 * f64::from(step) / f64::from(count)).sin());
         let gap = |x: f64| {
             let g = proven(shape.equivalent(x).ok()?.estimate)?;

@@ -68,7 +68,7 @@ struct Root {
 }
 
 /// Maximum number of secant steps before bisection.
-const STEPS: u32 = 12;
+const MOST_SECANTS: u32 = 12;
 /// So near to the root its square is below rounding.
 const CLOSE: f64 = 3e-9;
 /// Outermost radius that is tried, and the innermost one.
@@ -280,7 +280,7 @@ impl Indentation<'_> {
             return None;
         }
         let mut step = (root - last.root) / (last.root - flat);
-        for _ in 0..STEPS {
+        for _ in 0..MOST_SECANTS {
             if root <= flat || root >= reach {
                 return None;
             }

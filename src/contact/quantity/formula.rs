@@ -18,17 +18,17 @@ pub struct Formulas<'a> {
     pub has_rim: bool,
 }
 
-type Found<'a> = Cow<'a, Derived>;
+type Stated<'a> = Cow<'a, Derived>;
 
 impl<'a> Formulas<'a> {
     /// f(r) − f(0).
-    pub(super) fn profile(&self) -> Found<'a> {
+    pub(super) fn profile(&self) -> Stated<'a> {
         let formula = Formula::sum([self.typed.clone(), Formula::Closed(-&self.shape.shift)]);
         Cow::Owned(Derived::given(formula))
     }
 
     /// G = a d − F/(2E), under a smooth edge and under a rim.
-    pub(super) fn integral(&self) -> Found<'a> {
+    pub(super) fn integral(&self) -> Stated<'a> {
         let Relations { d, force, .. } = self.relations;
         let below = d.formula.clone().scaled(&a());
         let part = force.formula.clone().scaled(&-(Expr::integer(2) * modulus()).recip());
@@ -36,36 +36,36 @@ impl<'a> Formulas<'a> {
     }
 
     /// A = πa².
-    pub(super) fn area(&self) -> Found<'a> {
+    pub(super) fn area(&self) -> Stated<'a> {
         let stiffness = &self.relations.stiffness;
         let formula = Formula::Closed(Expr::pi() * a().power(2));
         Cow::Owned(Derived { formula, reference: Vec::new(), ..stiffness.clone() })
     }
 
     /// F/(πa²).
-    pub(super) fn mean_pressure(&self) -> Found<'a> {
+    pub(super) fn mean_pressure(&self) -> Stated<'a> {
         let force = &self.relations.force;
         by_definition(force.formula.clone().scaled(&(Expr::pi() * a().power(2)).recip()), force)
     }
 
     /// d − g(x).
-    pub(super) fn line_displacement(&self) -> Found<'a> {
+    pub(super) fn line_displacement(&self) -> Stated<'a> {
         by_definition(self.compressed(), &self.relations.g)
     }
 
     /// E*(d − g(x)).
-    pub(super) fn line_load(&self) -> Found<'a> {
+    pub(super) fn line_load(&self) -> Stated<'a> {
         by_definition(self.compressed().scaled(&modulus()), &self.relations.g)
     }
 
     /// Every spring holds E w²/2 per length, on either side of the axis.
-    pub(super) fn energy(&self) -> Option<Found<'a>> {
+    pub(super) fn energy(&self) -> Option<Stated<'a>> {
         let work = self.compressed().as_closed()?.power(2);
         Some(by_definition(integral(Formula::Closed(work), "x", Expr::zero(), a()).scaled(&modulus()), &self.relations.g))
     }
 
     /// d − f(r) within the contact, an integral outside.
-    pub(super) fn displacement(&self) -> Option<Found<'a>> {
+    pub(super) fn displacement(&self) -> Option<Stated<'a>> {
         let (d, shift) = (self.relations.d.formula.clone(), Formula::Closed(self.shape.shift.clone()));
         let inside = Formula::sum([d, self.typed.clone().scaled(&Expr::integer(-1)), shift]);
         let (r, x) = (Expr::symbol("r"), Expr::symbol("x"));
@@ -76,7 +76,7 @@ impl<'a> Formulas<'a> {
     }
 
     /// −(E*/π) ∫₀^a g′ x(x²+3z²)/(x²+z²)² dx; `None` under a rim, whose edge adds a term that is left to numbers.
-    pub(super) fn axial_stress(&self) -> Option<Found<'a>> {
+    pub(super) fn axial_stress(&self) -> Option<Stated<'a>> {
         if self.has_rim {
             return None;
         }
@@ -104,7 +104,7 @@ fn modulus() -> Expr {
 }
 
 /// A formula that follows from a relation.
-fn by_definition<'a>(formula: Formula, from: &Derived) -> Found<'a> {
+fn by_definition<'a>(formula: Formula, from: &Derived) -> Stated<'a> {
     let status = if holds_integral(&formula) { from.status.integrated() } else { from.status };
     Cow::Owned(Derived { formula, status, ..from.clone() })
 }

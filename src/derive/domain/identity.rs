@@ -10,7 +10,7 @@ use std::collections::HashMap;
 /// Points at which the expression must vanish.
 const POINTS: u64 = 3;
 /// Steps of work for a part.
-const STEPS: u64 = 20;
+const STEPS_PER_PART: u64 = 20;
 /// Larger expressions are not examined.
 const MOST_PARTS: usize = 200;
 /// Larger powers, and numbers of more bits, are not computed.
@@ -34,7 +34,7 @@ struct Point {
 
 impl Point {
     fn value(&mut self, expr: &Expr) -> Option<BigRational> {
-        work::spend(STEPS);
+        work::spend(STEPS_PER_PART);
         if let Some(known) = self.known.get(expr) {
             return Some(known.clone());
         }

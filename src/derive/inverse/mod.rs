@@ -26,7 +26,7 @@ use crate::expr::{Bindings, Condition, Expr, Formula, Sign, Symbol, sign};
 use crate::integrate::error::TransformError;
 use crate::integrate::segment::Segment;
 use crate::num::work;
-use statement::Found;
+use statement::InvertedTerms;
 
 /// A profile f(r) that was found from an equivalent profile g(x).
 pub struct Inverse {
@@ -59,7 +59,7 @@ struct Share {
 }
 
 impl Share {
-    fn from_statement(found: Found, conditions: &mut Vec<Condition>) -> Self {
+    fn from_statement(found: InvertedTerms, conditions: &mut Vec<Condition>) -> Self {
         conditions.extend(found.conditions);
         Self { id: found.id, reference: found.reference.to_vec(), f: Branches::endless(Pair::same(found.f)) }
     }

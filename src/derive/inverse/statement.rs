@@ -27,7 +27,7 @@ struct Statement {
 }
 
 /// f of some terms of g, with the rule that was applied.
-pub(super) struct Found {
+pub(super) struct InvertedTerms {
     pub(super) id: &'static str,
     pub(super) reference: &'static [&'static str],
     pub(super) f: Expr,
@@ -95,7 +95,7 @@ fn collect(expr: &Expr, found: &mut BTreeSet<&'static str>) {
 /// Removes terms from g that a statement inverts, until no statement applies.
 ///
 /// With a breakpoint, the terms begin there, and only worn shapes are considered.
-pub(super) fn read_backwards(terms: &mut Vec<NormalTerm>, breakpoint: Option<&Expr>, read: Reader) -> Vec<Found> {
+pub(super) fn read_backwards(terms: &mut Vec<NormalTerm>, breakpoint: Option<&Expr>, read: Reader) -> Vec<InvertedTerms> {
     let mut found = Vec::new();
     let open = |list: &[NormalTerm]| list.iter().filter(|term| !term.kernel.is_one()).count();
     while open(terms) > 0 {
@@ -144,7 +144,7 @@ impl Statement {
     }
 
     /// f and the remaining terms, if all terms of this statement match, including the target.
-    fn explains(&self, target: &NormalTerm, terms: &[NormalTerm], breakpoint: Option<&Expr>) -> Option<(Found, Vec<NormalTerm>)> {
+    fn explains(&self, target: &NormalTerm, terms: &[NormalTerm], breakpoint: Option<&Expr>) -> Option<(InvertedTerms, Vec<NormalTerm>)> {
         let known: Bindings = self.breakpoint.iter().zip(breakpoint).map(|(own, place)| (own.name(), place.clone())).collect();
         self.terms.iter().find_map(|pattern| {
             let pair = ((&pattern.exponent, &pattern.kernel), (&target.exponent, &target.kernel));
@@ -153,7 +153,7 @@ impl Statement {
     }
 
     /// Matches with all amplitudes set to 1, or one to 1 and the others to 0; the ratio of coefficients replaces their values.
-    fn taken_out(&self, values: Bindings, target: &NormalTerm, terms: &[NormalTerm]) -> Option<(Found, Vec<NormalTerm>)> {
+    fn taken_out(&self, values: Bindings, target: &NormalTerm, terms: &[NormalTerm]) -> Option<(InvertedTerms, Vec<NormalTerm>)> {
         let amplitudes: Vec<&Symbol> = self.parameters.iter().filter(|own| values.get(own).is_none()).collect();
         let with = |only: Option<&Symbol>| {
             let mut all = values.clone();
@@ -166,7 +166,13 @@ impl Statement {
         with(None).or_else(|| alone.iter().find_map(|only| with(Some(only))))
     }
 
-    fn matched(&self, solved: &Bindings, values: &Bindings, target: &NormalTerm, terms: &[NormalTerm]) -> Option<(Found, Vec<NormalTerm>)> {
+    fn matched(
+        &self,
+        solved: &Bindings,
+        values: &Bindings,
+        target: &NormalTerm,
+        terms: &[NormalTerm],
+    ) -> Option<(InvertedTerms, Vec<NormalTerm>)> {
         let radius = Symbol::new("r");
         let mut conditions = Vec::new();
         for (_, value) in solved.iter() {
@@ -194,6 +200,6 @@ impl Statement {
             rest.push(NormalTerm { coefficient: left, ..term });
         }
         let f = ratio * values.apply(&self.f);
-        Some((Found { id: self.id, reference: self.reference, f, conditions }, rest))
+        Some((InvertedTerms { id: self.id, reference: self.reference, f, conditions }, rest))
     }
 }

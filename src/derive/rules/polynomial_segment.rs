@@ -28,7 +28,7 @@ pub(super) static RULE: Rule = Rule {
 };
 
 /// With more coefficients of f′ the pressure is left as an integral: its formula has some n² terms.
-const MOST: usize = 40;
+const MOST_COEFFICIENTS: usize = 40;
 
 /// f′ = Σ c_m r^m on [b, c).
 ///
@@ -175,7 +175,7 @@ fn angle_coefficients(highest: usize, x: &Expr) -> Vec<Expr> {
 
 /// The pressure of odd f′, by elliptic integrals: with g = x √(x²−b²) α(x²) the integrand g′ is even over √(x²−b²).
 fn pressure(coefficients: &[Expr], lower: &Expr, upper: Option<&Expr>) -> Option<Branches> {
-    if coefficients.len() > MOST || coefficients.iter().step_by(2).any(|c| !c.is_zero()) {
+    if coefficients.len() > MOST_COEFFICIENTS || coefficients.iter().step_by(2).any(|c| !c.is_zero()) {
         return None;
     }
     let from = |end: &Expr| if end.is_zero() { Some(power_pressure(coefficients)) } else { worn_pressure(coefficients, end) };

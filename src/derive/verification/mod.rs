@@ -1,6 +1,6 @@
 //! The gate: every solved term meets quadrature of that term when it is derived, before anything uses it.
 
-mod place;
+mod parameters;
 
 use crate::derive::chain::Chain;
 use crate::derive::profile::Profile;
@@ -8,7 +8,7 @@ use crate::derive::solved::Agreement;
 use crate::derive::solved::{SolvedChain, SolvedTerm};
 use crate::expr::{Condition, Expr, Symbol};
 use crate::num::work;
-use place::{Place, Subject};
+use parameters::{ParameterDraw, Subject};
 
 /// The results of verifying the terms of a solution.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -79,26 +79,26 @@ pub struct Gate {
     names: Vec<Symbol>,
     limits: Vec<Expr>,
     conditions: Vec<Condition>,
-    places: Vec<Place>,
+    draws: Vec<ParameterDraw>,
 }
 
 impl Gate {
     /// Seeded admissible values of the parameters; without parameters, one comparison is enough.
     pub fn new(profile: &Profile, conditions: &[Condition]) -> Self {
         let (names, limits) = (profile.parameters(), profile.limits().cloned().collect());
-        let mut gate = Self { names, limits, conditions: conditions.to_vec(), places: Vec::new() };
-        gate.places = gate.drawn(conditions);
+        let mut gate = Self { names, limits, conditions: conditions.to_vec(), draws: Vec::new() };
+        gate.draws = gate.drawn(conditions);
         gate
     }
 
-    fn drawn(&self, conditions: &[Condition]) -> Vec<Place> {
+    fn drawn(&self, conditions: &[Condition]) -> Vec<ParameterDraw> {
         let draws = if self.names.is_empty() { 1 } else { DRAWS };
-        (0..draws).filter_map(|draw| Place::draw(self.names.clone(), &self.limits, conditions, draw)).collect()
+        (0..draws).filter_map(|draw| ParameterDraw::seeded(self.names.clone(), &self.limits, conditions, draw)).collect()
     }
 
     /// True unless the terms are proven not to add up to f′ as it was typed.
     pub fn recognition_holds(&self, chain: &Chain, slopes: &[Expr], solved: &[SolvedChain]) -> bool {
-        self.places.iter().all(|place| place.recognition_holds(chain, slopes, solved))
+        self.draws.iter().all(|draw| draw.recognition_holds(chain, slopes, solved))
     }
 
     /// Compares a solved term with quadrature and gives up what is wrong.
@@ -106,24 +106,24 @@ impl Gate {
         let Some((rule, answer)) = &solved.answer else { return };
         let (mut f_prime, mut force, mut pressure) = (Verdict::Unknown, Verdict::Unknown, Verdict::Unknown);
         // An answer that demands more of the parameters than the profile is compared where that holds.
-        let own = if self.places.iter().all(|place| place.admits(&answer.conditions)) {
+        let own = if self.draws.iter().all(|draw| draw.admits(&answer.conditions)) {
             None
         } else {
             Some(self.drawn(&[self.conditions.as_slice(), &answer.conditions].concat()))
         };
-        if own.as_ref().is_some_and(Vec::is_empty) && !self.places.is_empty() {
+        if own.as_ref().is_some_and(Vec::is_empty) && !self.draws.is_empty() {
             // The answer holds for parameters only that the profile excludes.
             solved.answer = None;
             return;
         }
-        let places = own.as_ref().unwrap_or(&self.places);
-        let subject = if places.is_empty() { None } else { Subject::new(&solved.term, answer, &self.names) };
-        for (place, subject) in places.iter().zip(subject.iter().cycle()) {
-            let own = work::share(LONGEST, || place.compare(subject)).flatten().unwrap_or([Verdict::Unknown; 2]);
+        let draws = own.as_ref().unwrap_or(&self.draws);
+        let subject = if draws.is_empty() { None } else { Subject::new(&solved.term, answer, &self.names) };
+        for (draw, subject) in draws.iter().zip(subject.iter().cycle()) {
+            let own = work::share(LONGEST, || draw.compare(subject)).flatten().unwrap_or([Verdict::Unknown; 2]);
             (f_prime, force) = (f_prime.or(own[0]), force.or(own[1]));
             // The closed p is compared with an integral over the closed g.
             if own[0] == Verdict::Agrees {
-                let own = work::share(LONGEST, || place.compare_pressure(subject)).flatten();
+                let own = work::share(LONGEST, || draw.compare_pressure(subject)).flatten();
                 pressure = pressure.or(own.unwrap_or(Verdict::Unknown));
             }
         }

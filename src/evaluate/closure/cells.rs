@@ -26,7 +26,7 @@ const OCTAVES: i32 = 40;
 /// Steps within this multiple of a radius count at it.
 const AHEAD: f64 = 1.1;
 /// Cells that one doubling may be cut into; a kink takes about fifty.
-const MOST: usize = 4000;
+const MOST_CELLS: usize = 4000;
 /// Binary exponents of doubles: from the smallest to the largest.
 const EXPONENTS: usize = 2100;
 
@@ -171,7 +171,7 @@ impl Cells {
                 cell.accept_noise(&wider, phi);
             }
             let middle = from + 0.5 * (to - from);
-            let is_full = cells.len() + waiting.len() >= MOST;
+            let is_full = cells.len() + waiting.len() >= MOST_CELLS;
             let can_halve = depth < DEEPEST && !is_full && middle > from && middle < to;
             if cell.resolved || !can_halve {
                 // Cells near a root at an end of the segment are as wide as their distance to the end. A kink inside the segment

@@ -152,7 +152,7 @@ fn refuse_jump(function: &Function, b: f64) -> Result<(), TransformError> {
 const NEAR: f64 = 1e-7;
 
 /// Safety factor for unresolved steps, whose heights are sampled at four radii per octave.
-const STEPS: f64 = 2.0;
+const STEP_SAFETY: f64 = 2.0;
 /// Maximum error due to unresolved steps relative to the value.
 const LOST: f64 = 0.5;
 /// Relative error of g above which steps of f may have been taken for noise.
@@ -161,17 +161,17 @@ const UNSURE: f64 = 1e-5;
 impl Quantities for ClosureProfile {
     fn equivalent(&self, x: f64) -> Result<Reading, TransformError> {
         self.check_domain("x", x)?;
-        self.with_steps(self.numeric.equivalent(x, self.closure.tolerance), x, STEPS)
+        self.with_steps(self.numeric.equivalent(x, self.closure.tolerance), x, STEP_SAFETY)
     }
 
     fn force(&self, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
-        self.with_steps(self.numeric.force(a, self.closure.tolerance), a, 2.0 * STEPS * a)
+        self.with_steps(self.numeric.force(a, self.closure.tolerance), a, 2.0 * STEP_SAFETY * a)
     }
 
     fn integral(&self, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
-        self.with_steps(self.numeric.integral(a, self.closure.tolerance), a, 2.0 * STEPS * a)
+        self.with_steps(self.numeric.integral(a, self.closure.tolerance), a, 2.0 * STEP_SAFETY * a)
     }
 
     fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError> {

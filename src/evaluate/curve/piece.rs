@@ -34,13 +34,13 @@ struct Far {
 
 /// A radius known by its square's distance to a breakpoint, which does not cancel next to it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct SquaredRadius {
     pub(super) x: f64,
     pub(super) anchor: f64,
     pub(super) square: f64,
 }
 
-impl Place {
+impl SquaredRadius {
     /// x = √(k² + square).
     pub(super) fn new(anchor: f64, square: f64) -> Self {
         let x = if anchor == 0.0 { square.sqrt() } else { (anchor * anchor + square).sqrt() };
@@ -106,7 +106,7 @@ impl Piece {
     }
 
     /// The share of the integral at a place, divided by w^`front`, w = x² − k² over the place's breakpoint k.
-    pub(super) fn share(&self, kind: Integral, place: Place, front: f64) -> Share {
+    pub(super) fn share(&self, kind: Integral, place: SquaredRadius, front: f64) -> Share {
         let u = place.above(self.lower);
         if u <= 0.0 {
             // At the lower end itself only the first term is left.
@@ -124,7 +124,7 @@ impl Piece {
         }
     }
 
-    fn within(&self, kind: Integral, place: Place, u: f64, front: f64) -> Share {
+    fn within(&self, kind: Integral, place: SquaredRadius, u: f64, front: f64) -> Share {
         let t = 2.0 * (u / self.length).min(1.0) - 1.0;
         let divided = |exponent: f64| match self.lower == place.anchor {
             true => power(u, exponent - front),

@@ -1,7 +1,7 @@
 //! The pressure curve of one contact: p as the right-sided half-order integral of Legendre expansions of g′ in x².
 
 use super::build::{self, Budget};
-use super::piece::{Integral, Piece, Place, Share};
+use super::piece::{Integral, Piece, Share, SquaredRadius};
 use super::source::Source;
 use crate::derive::stream::Stream;
 use crate::integrate::error::TransformError;
@@ -243,7 +243,7 @@ impl Work<'_> {
             let rule = rule(count, 0.0);
             let (mut values, mut noise, mut scale) = (Vec::with_capacity(count), 0.0_f64, 0.0_f64);
             for node in rule.nodes() {
-                let place = Place::new(self.anchor, below + length * node.unit);
+                let place = SquaredRadius::new(self.anchor, below + length * node.unit);
                 let sum = self.pieces.iter().fold(Share::default(), |sum, piece| sum + piece.share(Integral::Root, place, 0.0));
                 let over = 0.5 / place.x;
                 // Towards the lower end, the contribution of every node to the integral decreases.

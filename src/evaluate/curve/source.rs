@@ -20,7 +20,7 @@ pub(super) struct Source<'a> {
 enum Values<'a> {
     FPrime(&'a NumericSegment),
     Bend(&'a Numbers),
-    Own(Box<Tape>),
+    Tape(Box<Tape>),
 }
 
 /// The two halves of a function by their parity in r.
@@ -75,7 +75,7 @@ impl<'a> Source<'a> {
         let r = Symbol::new("r");
         let values = Tape::compile(std::slice::from_ref(&class.whole), &[r]).ok()?;
         let exponent = (class.power - 1.0) / 2.0;
-        Some(Self { lower: 0.0, upper, exponent, values: Values::Own(Box::new(values)), mirrored: class.mirrored() })
+        Some(Self { lower: 0.0, upper, exponent, values: Values::Tape(Box::new(values)), mirrored: class.mirrored() })
     }
 
     /// True if the two halves by parity are available.
@@ -113,7 +113,7 @@ impl Values<'_> {
         match self {
             Self::FPrime(segment) => segment.f_prime.at(delta, &mut Vec::new()),
             Self::Bend(bend) => bend.at(delta, &mut Vec::new()),
-            Self::Own(tape) => run(tape, delta),
+            Self::Tape(tape) => run(tape, delta),
         }
     }
 }

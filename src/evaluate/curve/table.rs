@@ -1,6 +1,6 @@
 //! The second stage: g, F or G as low-degree polynomials between breakpoints, for large numbers of values.
 
-use super::piece::{Integral, Piece, Place, Share};
+use super::piece::{Integral, Piece, Share, SquaredRadius};
 use super::source::power;
 use crate::derive::stream::Stream;
 use crate::integrate::error::TransformError;
@@ -116,7 +116,7 @@ impl Table {
             for leaf in &span.leaves {
                 for share in [from, leaf.middle, leaf.to] {
                     let w = if span.square { share } else { share * share } / span.scale;
-                    let x = Place::new(span.anchor, w).x.min(span.to);
+                    let x = SquaredRadius::new(span.anchor, w).x.min(span.to);
                     let (own, own_error) = self.at(x);
                     value = value.max(own.abs());
                     error = error.max(own_error);
@@ -168,20 +168,20 @@ impl Span {
         let scale = 1.0 / ((to - anchor) * (to + anchor));
         let mut span = Self { anchor, to, scale, square, front: Front { x, w: front }, cells: Vec::new(), leaves: Vec::new() };
         if !here.is_empty() {
-            let sum = |place: Place| here.iter().fold(Share::default(), |sum, piece| sum + piece.share(kind, place, front));
+            let sum = |place: SquaredRadius| here.iter().fold(Share::default(), |sum, piece| sum + piece.share(kind, place, front));
             span.cover(&sum, 0.0, 1.0, 0)?;
             span.index();
         }
         Ok(span)
     }
 
-    fn cover(&mut self, sum: &impl Fn(Place) -> Share, from: f64, to: f64, depth: u32) -> Result<(), TransformError> {
+    fn cover(&mut self, sum: &impl Fn(SquaredRadius) -> Share, from: f64, to: f64, depth: u32) -> Result<(), TransformError> {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let (mut values, mut noise) = ([0.0; LOCAL], 0.0_f64);
         for (value, node) in values.iter_mut().zip(local_nodes()) {
             let share = middle + half * node;
             let w = if self.square { share } else { share * share } / self.scale;
-            let found = sum(Place::new(self.anchor, w));
+            let found = sum(SquaredRadius::new(self.anchor, w));
             noise = noise.max(found.noise + ROUNDING * f64::EPSILON * found.size);
             *value = found.value;
         }
@@ -210,7 +210,7 @@ impl Span {
             let places = within.iter().take(if index == 0 { 2 } else { 1 });
             for share in places.map(|part| from + (leaf.to - from) * part) {
                 let w = if self.square { share } else { share * share } / self.scale;
-                let x = Place::new(self.anchor, w).x.min(self.to);
+                let x = SquaredRadius::new(self.anchor, w).x.min(self.to);
                 let w = (x - self.anchor) * (x + self.anchor);
                 // Skip points where the other computation has no value.
                 let (true, Some((own, u)), Ok(other)) = (index % stride == 0, self.locate(w), exact(x)) else { continue };

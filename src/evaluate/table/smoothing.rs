@@ -67,11 +67,11 @@ fn with_noise(at: impl Fn(f64) -> Result<Spline, TableError>, (mut low, mut high
 
 /// The lowest score of a scan, refined by golden sections.
 fn cross_validated(at: impl Fn(f64) -> Result<Spline, TableError>, (low, high): (f64, f64), count: f64) -> Result<Spline, TableError> {
-    const STEPS: u32 = 30;
+    const SCAN_STEPS: u32 = 30;
     let score = |log: f64| at(log).map(|own| count * own.residual / (own.freedom * own.freedom));
-    let place = |step: f64| low + (high - low) * step / f64::from(STEPS);
+    let place = |step: f64| low + (high - low) * step / f64::from(SCAN_STEPS);
     let mut best = (f64::INFINITY, 0);
-    for step in 0..=STEPS {
+    for step in 0..=SCAN_STEPS {
         let own = score(place(f64::from(step)))?;
         if own < best.0 {
             best = (own, step);

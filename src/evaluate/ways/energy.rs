@@ -1,7 +1,7 @@
 //! ∫₀^a (d − g)² dx, the strain energy divided by E*, with a bound proven by enclosures of f′.
 
 use crate::evaluate::evaluator::{Evaluator, Reading};
-use crate::integrate::abel::pieces::{Piece, Place, Range, proven_sum};
+use crate::integrate::abel::pieces::{Piece, PieceNode, Range, proven_sum};
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{NumericProfile, NumericSegment};
 use crate::integrate::source::f_prime::Scratch;
@@ -75,13 +75,13 @@ struct Gap<'a, F> {
 }
 
 impl<F: Fn(f64) -> Bounded> Gap<'_, F> {
-    fn place(&self, place: Place) -> f64 {
+    fn place(&self, place: PieceNode) -> f64 {
         let x = if place.from_above { self.upper - place.from_upper } else { self.lower + place.from_lower };
         x.clamp(self.lower, self.upper)
     }
 
     /// Returns d − g(x); near the axis, where g is expensive, from a bound on |g| if that is negligible compared with d.
-    fn gap(&self, place: Place, slots: &mut Vec<Region>) -> Bounded {
+    fn gap(&self, place: PieceNode, slots: &mut Vec<Region>) -> Bounded {
         let x = self.place(place);
         if x < NEXT_TO_THE_AXIS * self.upper && self.lower == 0.0 {
             let around = Around { lower: 0.0, low: 0.0, high: x, short: 0.0 };
@@ -177,7 +177,7 @@ impl<F: Fn(f64) -> Bounded> Range for Gap<'_, F> {
         self.upper - self.lower
     }
 
-    fn size_at(&self, place: Place) -> f64 {
+    fn size_at(&self, place: PieceNode) -> f64 {
         let gap = self.depth - (self.equivalent)(self.place(place));
         gap.value * gap.value
     }
@@ -191,7 +191,7 @@ impl<F: Fn(f64) -> Bounded> Range for Gap<'_, F> {
         if largest.is_nan() { f64::INFINITY } else { largest }
     }
 
-    fn fill(&self, places: &[Place], values: &mut [f64], errors: &mut [f64], _scratch: &mut Scratch) {
+    fn fill(&self, places: &[PieceNode], values: &mut [f64], errors: &mut [f64], _scratch: &mut Scratch) {
         let (mut variation, mut before, mut slots): (f64, Option<f64>, _) = (0.0, None, Vec::new());
         for ((value, error), place) in values.iter_mut().zip(errors.iter_mut()).zip(places) {
             let gap = self.gap(*place, &mut slots);

@@ -8,7 +8,7 @@ use crate::num::bounded::UNIT;
 use crate::num::quadrature::{CHUNK, EvenIntegrand, Extent, Form, Mean, Nodes, Radii, Wish, from_the_axis, mean};
 
 /// Most evaluations before the range is bisected instead.
-const MOST: u64 = 400;
+const MOST_EVALUATIONS: u64 = 400;
 /// Beyond this fraction of the limit, f′ is computed from the distance to the limit.
 pub(crate) const NEAR_THE_LIMIT: f64 = 0.7;
 
@@ -66,7 +66,7 @@ impl NumericSegment {
         let scale_of = form.scale(&extent);
         let mut integrand = Even { source, form, extent };
         let Mean { value, left_out, noise, evaluations, reached, .. } =
-            mean(&mut integrand, MOST, |mean| 0.98 * own * largest(scale_of * mean) / scale_of).map_err(refused)?;
+            mean(&mut integrand, MOST_EVALUATIONS, |mean| 0.98 * own * largest(scale_of * mean) / scale_of).map_err(refused)?;
         if !reached {
             return Ok(None);
         }

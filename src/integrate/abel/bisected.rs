@@ -3,7 +3,7 @@
 use crate::eval::{RegionAlgebra, Tape};
 use crate::integrate::abel::angle_substitution::NEAR_THE_LIMIT;
 use crate::integrate::abel::over_root::{EndDistances, Weighted, proven_sum_over_roots};
-use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range, resolved};
+use crate::integrate::abel::pieces::{MOST_NODES, Piece, PieceNode, Range, resolved};
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{NumericSegment, Weight};
 use crate::integrate::source::f_prime::{Numbers, Scratch};
@@ -101,7 +101,7 @@ impl<'a> Angles<'a> {
     }
 
     /// r − lower and the angle to r = x, from the angles to both ends.
-    pub(crate) fn delta(&self, place: Place) -> (f64, f64) {
+    pub(crate) fn delta(&self, place: PieceNode) -> (f64, f64) {
         let rest = self.beyond + place.from_upper;
         let delta = 2.0 * self.x * (0.5 * place.from_lower).sin() * (rest + 0.5 * place.from_lower).sin();
         (delta.max(f64::MIN_POSITIVE), rest)
@@ -196,7 +196,7 @@ impl Range for Angles<'_> {
         self.width
     }
 
-    fn size_at(&self, place: Place) -> f64 {
+    fn size_at(&self, place: PieceNode) -> f64 {
         let (delta, rest) = self.delta(place);
         let f_prime = match self.limit {
             Some((limit, _)) if place.from_above => limit.f_prime.plain(self.below(limit, rest).0),
@@ -218,14 +218,14 @@ impl Range for Angles<'_> {
         let radii = self.radii(piece, 0.0);
         let (rest, power) = (own.rest_over(radii.delta, &mut self.slots), own.exponent);
         let v = piece.to * (1.0 + 8.0 * UNIT);
-        let f_prime = self.delta(Place { from_lower: v, from_upper: self.width - v, from_above: false }).0 / v;
+        let f_prime = self.delta(PieceNode { from_lower: v, from_upper: self.width - v, from_above: false }).0 / v;
         // For s > 0, δ ≤ x v.
         let steepness = if power < 0.0 { (f_prime * (1.0 - 1e-9)).powf(power) } else { self.x.powf(power) };
         let bound = rest * steepness * v.powf(1.0 + power) / (1.0 + power) * self.weight(&radii) * (1.0 + 1e-9);
         if bound.is_nan() { f64::INFINITY } else { bound + f64::MIN_POSITIVE }
     }
 
-    fn fill(&self, places: &[Place], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch) {
+    fn fill(&self, places: &[PieceNode], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch) {
         let (mut arguments, mut doubts, mut factors) = ([0.0; MOST_NODES], [0.0; MOST_NODES], [(0.0, 0.0, 0.0); MOST_NODES]);
         let count = places.len();
         let end = self.segment.lower.error;

@@ -1,6 +1,6 @@
 //! A range that begins at the axis, over t = v^(1/N), in which the fractional powers of r are whole.
 
-use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range, proven_sum};
+use crate::integrate::abel::pieces::{MOST_NODES, Piece, PieceNode, Range, proven_sum};
 use crate::integrate::error::TransformError;
 use crate::integrate::source::f_prime::Scratch;
 use crate::integrate::source::leading_power::LeadingPower;
@@ -112,12 +112,12 @@ impl<'a, R: Weighted> OverRoot<'a, R> {
 
 impl Root<'_> {
     /// The distances over v, and dv/dt.
-    fn place(&self, place: Place) -> (Place, f64) {
+    fn place(&self, place: PieceNode) -> (PieceNode, f64) {
         let t = place.from_lower;
         let from_lower = t.powi(self.degree);
         let factor = f64::from(self.degree) * t.powi(self.degree - 1);
         let from_upper = if place.from_above { self.above(place.from_upper) } else { self.before - from_lower };
-        (Place { from_lower, from_upper, from_above: place.from_above }, factor)
+        (PieceNode { from_lower, from_upper, from_above: place.from_above }, factor)
     }
 
     /// The distance from the upper end over v for one over t.
@@ -148,7 +148,7 @@ impl<R: Weighted> Range for OverRoot<'_, R> {
         self.root.as_ref().map_or_else(|| self.range.width(), |own| own.width)
     }
 
-    fn size_at(&self, place: Place) -> f64 {
+    fn size_at(&self, place: PieceNode) -> f64 {
         let Some(own) = &self.root else { return self.range.size_at(place) };
         let (place, factor) = own.place(place);
         self.range.size_at(place) * factor
@@ -178,9 +178,9 @@ impl<R: Weighted> Range for OverRoot<'_, R> {
         self.range.tail(Piece { to, ..piece })
     }
 
-    fn fill(&self, places: &[Place], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch) {
+    fn fill(&self, places: &[PieceNode], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch) {
         let Some(own) = &self.root else { return self.range.fill(places, values, errors, scratch) };
-        let (mut over_v, mut factors) = ([Place::default(); MOST_NODES], [0.0; MOST_NODES]);
+        let (mut over_v, mut factors) = ([PieceNode::default(); MOST_NODES], [0.0; MOST_NODES]);
         for ((place, moved), factor) in places.iter().zip(&mut over_v).zip(&mut factors) {
             (*moved, *factor) = own.place(*place);
         }

@@ -78,7 +78,7 @@ impl Piece {
 
 /// A node of a rule on a piece: the distances to both ends of the range.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Place {
+pub(crate) struct PieceNode {
     pub(crate) from_lower: f64,
     pub(crate) from_upper: f64,
     pub(crate) from_above: bool,
@@ -90,7 +90,7 @@ pub(crate) trait Range {
     fn width(&self) -> f64;
 
     /// The approximate size of the integrand at a point.
-    fn size_at(&self, place: Place) -> f64;
+    fn size_at(&self, place: PieceNode) -> f64;
 
     /// A bound on the magnitude of the integrand on the rectangle around the ellipse of σ around a piece, in which it must be
     /// analytic; for σ = 0 on the piece alone. Infinite if unknown.
@@ -102,7 +102,7 @@ pub(crate) trait Range {
     }
 
     /// Values and bounds on their errors.
-    fn fill(&self, places: &[Place], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch);
+    fn fill(&self, places: &[PieceNode], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch);
 }
 
 /// The proof for a piece.
@@ -207,7 +207,7 @@ pub(crate) fn proven_sum<R: Range>(ranges: &mut [R], more: Bounded, tolerance: f
 /// The ends of the pieces, each of which one rule resolves; empty if the enclosures do not become small in time.
 ///
 /// Another integral over the same range with a smooth weight misses no narrow feature if it is split there.
-pub(crate) fn resolved<R: Range>(range: &mut R, tolerance: f64, at: f64) -> Vec<Place> {
+pub(crate) fn resolved<R: Range>(range: &mut R, tolerance: f64, at: f64) -> Vec<PieceNode> {
     let (scale, width) = (size(range), range.width());
     if !has_enclosures(range) || scale <= FAINT * width {
         return Vec::new();
@@ -216,7 +216,7 @@ pub(crate) fn resolved<R: Range>(range: &mut R, tolerance: f64, at: f64) -> Vec<
     let pieces = found.map(|sum| sum.pieces).unwrap_or_default();
     let place = |from_above: bool, at: f64| {
         let (from_lower, from_upper) = if from_above { (width - at, at) } else { (at, width - at) };
-        Place { from_lower, from_upper, from_above }
+        PieceNode { from_lower, from_upper, from_above }
     };
     pieces.iter().flat_map(|own| [place(own.from_above, own.from), place(own.from_above, own.to)]).collect()
 }
@@ -233,7 +233,7 @@ fn size<R: Range>(range: &R) -> f64 {
     let width = range.width();
     let sizes = (0..PLACES).map(|i| {
         let from_lower = width * (i as f64 + 0.5) / PLACES as f64;
-        range.size_at(Place { from_lower, from_upper: width - from_lower, from_above: false }).abs()
+        range.size_at(PieceNode { from_lower, from_upper: width - from_lower, from_above: false }).abs()
     });
     width / PLACES as f64 * sizes.filter(|size| size.is_finite()).sum::<f64>()
 }
@@ -350,7 +350,7 @@ fn proof<R: Range>(range: &mut R, piece: Piece, target: f64, mut first: usize, e
     // A piece that is not negligible at its middle has no bound within its share.
     let middle = 0.5 * (piece.from + piece.to);
     let (from_lower, from_upper) = if piece.from_above { (range.width() - middle, middle) } else { (middle, range.width() - middle) };
-    let sampled = 2.0 * half * range.size_at(Place { from_lower, from_upper, from_above: piece.from_above }).abs();
+    let sampled = 2.0 * half * range.size_at(PieceNode { from_lower, from_upper, from_above: piece.from_above }).abs();
     let whole = if sampled > 2.0 * share {
         None
     } else {
@@ -371,12 +371,12 @@ fn bound_at_end<R: Range>(range: &mut R, piece: Piece) -> f64 {
 fn add<R: Range>(range: &R, piece: Piece, rule: usize, sum: &mut Sum, scratch: &mut Scratch) -> Option<()> {
     let nodes = RULES.get(rule)?;
     let count = nodes.len().min(MOST_NODES);
-    let (mut places, mut values, mut errors) = ([Place::default(); MOST_NODES], [0.0; MOST_NODES], [0.0; MOST_NODES]);
+    let (mut places, mut values, mut errors) = ([PieceNode::default(); MOST_NODES], [0.0; MOST_NODES], [0.0; MOST_NODES]);
     let (length, width) = (piece.to - piece.from, range.width());
     for (node, place) in nodes.iter().zip(&mut places) {
         let near = if node.t < node.rest { piece.from + length * node.t } else { piece.to - length * node.rest };
         let (from_lower, from_upper) = if piece.from_above { (width - near, near) } else { (near, width - near) };
-        *place = Place { from_lower, from_upper, from_above: piece.from_above };
+        *place = PieceNode { from_lower, from_upper, from_above: piece.from_above };
     }
     range.fill(&places[..count], &mut values[..count], &mut errors[..count], scratch);
     let (mut total, mut size, mut noise) = (0.0, 0.0, 0.0);

@@ -2,7 +2,7 @@
 
 use crate::integrate::abel::angle_substitution::NEAR_THE_LIMIT;
 use crate::integrate::abel::bisected::Angles;
-use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range, proven_sum};
+use crate::integrate::abel::pieces::{MOST_NODES, Piece, PieceNode, Range, proven_sum};
 use crate::integrate::integral::{NumericProfile, NumericSegment};
 use crate::integrate::pressure::pieces::pressure_of_segments;
 use crate::integrate::source::f_prime::{Numbers, Scratch};
@@ -54,7 +54,7 @@ impl Axis<'_> {
     fn smear(&mut self) -> f64 {
         let (x, width) = (self.angles.x, self.angles.width);
         let Some(end) = self.angles.segment.upper.filter(|upper| upper.value < x && upper.error > 0.0) else { return 0.0 };
-        let phi = self.angles.delta(Place { from_lower: width, from_upper: 0.0, from_above: true }).1;
+        let phi = self.angles.delta(PieceNode { from_lower: width, from_upper: 0.0, from_above: true }).1;
         let arc = 2.0 * end.error / (x * phi.sin());
         arc * self.largest(Piece { from: 0.0, to: arc.min(0.5 * width), from_above: true }, 0.0)
     }
@@ -65,7 +65,7 @@ impl Range for Axis<'_> {
         self.angles.width
     }
 
-    fn size_at(&self, place: Place) -> f64 {
+    fn size_at(&self, place: PieceNode) -> f64 {
         let (r, phi) = self.angles.delta(place);
         self.bend.plain(r) * phi * self.angles.x * phi.sin() / r
     }
@@ -96,13 +96,13 @@ impl Range for Axis<'_> {
         // The kernel takes one power of r.
         let power = exponent - 1.0;
         let v = piece.to * (1.0 + 8.0 * UNIT);
-        let f_prime = self.angles.delta(Place { from_lower: v, from_upper: self.angles.width - v, from_above: false }).0 / v;
+        let f_prime = self.angles.delta(PieceNode { from_lower: v, from_upper: self.angles.width - v, from_above: false }).0 / v;
         let steepness = if power < 0.0 { (f_prime * (1.0 - 1e-9)).powf(power) } else { self.angles.x.powf(power) };
         let bound = rest * steepness * v.powf(1.0 + power) / (1.0 + power) * self.weight(radii.phi, radii.sine) * (1.0 + 1e-9);
         if bound >= 0.0 && 1.0 + power > 0.0 { bound + f64::MIN_POSITIVE } else { f64::INFINITY }
     }
 
-    fn fill(&self, places: &[Place], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch) {
+    fn fill(&self, places: &[PieceNode], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch) {
         let (mut deltas, mut doubts, mut weights) = ([0.0; MOST_NODES], [0.0; MOST_NODES], [Bounded::exact(0.0); MOST_NODES]);
         let count = places.len();
         for (((place, delta), doubt), weight) in places.iter().zip(&mut deltas).zip(&mut doubts).zip(&mut weights) {

@@ -3,7 +3,7 @@
 use crate::integrate::admit::finite_and_not_negative;
 use crate::integrate::ask::{ELLIPTIC, LEGENDRE, LEGENDRE_SAMPLED, OVER_U, OVER_U_SAMPLED, PIECES, not_this_way};
 use crate::integrate::error::TransformError;
-use crate::integrate::integral::{MOST, NumericProfile, NumericSegment, reached, settled, with_ulps};
+use crate::integrate::integral::{MOST_POINTS, NumericProfile, NumericSegment, reached, settled, with_ulps};
 use crate::integrate::source::endpoint::Endpoint;
 use crate::integrate::source::f_prime::{Numbers, Scratch};
 use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
@@ -207,8 +207,9 @@ impl NumericSegment {
         let falling = self.falling_bend().filter(|_| self.ends.1.is_some_and(|upper| upper.at == to.at));
         let mut scratch = Scratch::take();
         let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
-            let (mut deltas, mut doubts, mut values, mut errors) = ([0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST]);
-            let count = points.len().min(MOST);
+            let (mut deltas, mut doubts, mut values, mut errors) =
+                ([0.0; MOST_POINTS], [0.0; MOST_POINTS], [0.0; MOST_POINTS], [0.0; MOST_POINTS]);
+            let count = points.len().min(MOST_POINTS);
             work::spend(KERNEL * count as u64);
             for ((point, delta), doubt) in points.iter().zip(&mut deltas).zip(&mut doubts) {
                 // Every distance is a sum of terms of the same sign.

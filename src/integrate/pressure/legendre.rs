@@ -14,7 +14,7 @@ const COUNTS: [usize; 5] = [12, 16, 24, 48, 96];
 /// Numbers of nodes for which samples can estimate the truncation error.
 const JUDGED: [usize; 3] = [COUNTS[2], COUNTS[3], COUNTS[4]];
 /// Most nodes and guards.
-const MOST: usize = COUNTS[4] + GUARDS;
+const MOST_NODES: usize = COUNTS[4] + GUARDS;
 /// Below this magnitude, f′ may have lost digits at the nodes near the axis.
 const DEEP: f64 = 1e-150;
 /// Number of values of f′ evaluated together.
@@ -124,7 +124,7 @@ pub(crate) struct Expansion {
 }
 
 /// p(s)·π/E* from one expansion.
-pub(crate) struct Found {
+pub(crate) struct PressureSum {
     pub(crate) value: f64,
     /// Bound on the effect of rounding.
     pub(crate) doubt: f64,
@@ -134,7 +134,7 @@ pub(crate) struct Found {
 
 impl Expansion {
     /// The pressure at s, with the weight of every value of f′ in it.
-    pub(crate) fn at(&self, s: f64) -> Found {
+    pub(crate) fn at(&self, s: f64) -> PressureSum {
         let a = self.a;
         // Use dimensionless ratios: the product of two lengths may leave the range of doubles.
         let sine = (((a - s) / a) * ((a + s) / a)).sqrt();
@@ -146,7 +146,7 @@ impl Expansion {
         let rounding: f64 = sums.map(|(k, (c, size))| 8.0 * (k as f64 + 2.0) * c.abs() * size).sum();
         let doubt = a * (noise + UNIT * (8.0 * self.scale * weight + rounding));
         let largest = own.values.iter().fold(0.0, |most: f64, p| if p.abs() > most { p.abs() } else { most });
-        Found { value: a * value, doubt: doubt * (1.0 + 8.0 * UNIT), left_out: a * self.missing * largest }
+        PressureSum { value: a * value, doubt: doubt * (1.0 + 8.0 * UNIT), left_out: a * self.missing * largest }
     }
 
     /// b_j with dg/dx² = Σ b_j P_j(2x²/a² − 1).
@@ -196,10 +196,10 @@ impl NumericSegment {
         let lowest = rule.nodes().first()?.unit;
         let guards = guards(lowest);
         let all = count + guarded;
-        let mut units = [0.0; MOST];
+        let mut units = [0.0; MOST_NODES];
         units.iter_mut().zip(rule.nodes().iter().map(|node| node.unit).chain(guards)).for_each(|(slot, unit)| *slot = unit);
         // f′/r at the nodes and at the guards, with bounds.
-        let (mut values, mut errors) = ([0.0; MOST], [0.0; MOST]);
+        let (mut values, mut errors) = ([0.0; MOST_NODES], [0.0; MOST_NODES]);
         let mut scratch = Scratch::take();
         let blocks = values[..all].chunks_mut(BLOCK).zip(errors[..all].chunks_mut(BLOCK)).zip(units[..all].chunks(BLOCK));
         for ((values, errors), units) in blocks {

@@ -10,7 +10,7 @@ use crate::num::{Estimate, Region};
 use std::f64::consts::FRAC_PI_2;
 
 /// Most values of g′ before the single integral is used instead.
-const MOST: u64 = 80;
+const MOST_VALUES: u64 = 80;
 /// The fraction of the tolerance for each value of g′.
 const INNER: f64 = 0.3;
 
@@ -27,7 +27,7 @@ impl NumericProfile {
         let reach = (leg(a, s) / s).asinh();
         let mut slopes = Slopes { segment, bend, s, a, reach, tolerance, largest: 0.0, evaluations: 0 };
         let accepted = |value: f64| 0.95 * tolerance * value.abs();
-        let Mean { value, left_out, noise, reached, .. } = mean(&mut slopes, MOST, accepted).ok()?;
+        let Mean { value, left_out, noise, reached, .. } = mean(&mut slopes, MOST_VALUES, accepted).ok()?;
         let (value, left_out, noise) = (reach * value, reach * left_out, reach * noise);
         // If the truncation error exceeds the rounding noise, report at least the requested tolerance as the error.
         let least = if left_out > noise { 0.97 * tolerance * value.abs() } else { 0.0 };

@@ -1,7 +1,7 @@
 //! The pressure by pieces of the radius with proven rules: kinks, narrow features and the logarithm of the kernel included.
 
 use crate::integrate::abel::over_root::{EndDistances, Weighted, proven_sum_over_roots};
-use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range};
+use crate::integrate::abel::pieces::{MOST_NODES, Piece, PieceNode, Range};
 use crate::integrate::integral::{NumericProfile, NumericSegment};
 use crate::integrate::pressure::direct::{Distances, KERNEL, kernel};
 use crate::integrate::source::endpoint::Endpoint;
@@ -106,7 +106,7 @@ impl Radii<'_> {
         self.s <= self.from.at
     }
 
-    fn distances(&self, place: Place) -> (f64, f64, Distances) {
+    fn distances(&self, place: PieceNode) -> (f64, f64, Distances) {
         let (up, down) = (place.from_lower, place.from_upper);
         let (s, edge) = (Endpoint::exact(self.s), Endpoint::exact(self.a));
         let delta = (self.segment.ends.0.to(self.from) + up).max(f64::MIN_POSITIVE);
@@ -119,7 +119,7 @@ impl Radii<'_> {
     fn smear(&self) -> f64 {
         let width = self.width();
         let at = |share: f64| {
-            self.size_at(Place { from_lower: share * width, from_upper: (1.0 - share) * width, from_above: share > 0.5 }).abs()
+            self.size_at(PieceNode { from_lower: share * width, from_upper: (1.0 - share) * width, from_above: share > 0.5 }).abs()
         };
         let lower = if self.from == self.segment.ends.0 { self.from.doubt } else { 0.0 };
         let upper = self.segment.ends.1.filter(|upper| *upper == self.to).map_or(0.0, |upper| upper.doubt);
@@ -232,7 +232,7 @@ impl Range for Radii<'_> {
         self.from.to(self.to)
     }
 
-    fn size_at(&self, place: Place) -> f64 {
+    fn size_at(&self, place: PieceNode) -> f64 {
         let (r, delta, distances) = self.distances(place);
         self.bend.plain(delta) * kernel(r, self.s, self.a, &distances).value
     }
@@ -257,7 +257,7 @@ impl Range for Radii<'_> {
         if bound.is_nan() { f64::INFINITY } else { bound * (1.0 + 1e-9) + f64::MIN_POSITIVE }
     }
 
-    fn fill(&self, places: &[Place], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch) {
+    fn fill(&self, places: &[PieceNode], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch) {
         let (mut deltas, mut doubts, mut kernels) = ([0.0; MOST_NODES], [0.0; MOST_NODES], [Bounded::exact(0.0); MOST_NODES]);
         let (count, end) = (places.len(), self.segment.ends.0.doubt);
         work::spend(KERNEL * count as u64);

@@ -41,7 +41,7 @@ pub struct Sufficient {
 }
 
 /// The result of a rule.
-struct Found {
+struct GaussSum {
     estimate: Estimate,
     mean: f64,
     /// The factor between the mean and the integral.
@@ -50,7 +50,7 @@ struct Found {
     noise: f64,
 }
 
-impl Found {
+impl GaussSum {
     fn add_noise(&mut self, noise: f64) {
         self.noise += noise;
         self.estimate.error += self.scale * noise;
@@ -82,7 +82,7 @@ const FIRST: f64 = 0.1;
 /// Ratio of consecutive σ.
 const STEP: f64 = 1.3;
 /// Number of steps in σ.
-const STEPS: usize = 18;
+const ELLIPSES: usize = 18;
 /// Number of refinements between the last ellipse in which f′ is analytic and the first in which it is not.
 const REFINED: usize = 4;
 /// Largest truncation error of a rule relative to the mean of |f′|: half a rounding error.
@@ -150,7 +150,7 @@ impl NumericSegment {
 
     /// The integral by a rule.
     #[inline]
-    fn by(&self, numbers: &Numbers, known: Known, x: f64, weight: Weight, bounds: Bounds) -> Result<Found, TransformError> {
+    fn by(&self, numbers: &Numbers, known: Known, x: f64, weight: Weight, bounds: Bounds) -> Result<GaussSum, TransformError> {
         let extent = Extent::new(self.lower.value, x, None);
         let form = Form::choose(&extent, self.odd, None);
         let scale = form.scale(&extent);
@@ -159,7 +159,7 @@ impl NumericSegment {
         let value = scale * found.value;
         let error = scale * (found.left_out + found.noise) + 8.0 * UNIT * value.abs();
         let estimate = Estimate { error, evaluations: found.evaluations, ..Estimate::exact(value) };
-        Ok(Found { estimate, mean: found.value, scale, left_out: found.left_out, noise: found.noise })
+        Ok(GaussSum { estimate, mean: found.value, scale, left_out: found.left_out, noise: found.noise })
     }
 
     /// The rule for x.
@@ -249,7 +249,7 @@ impl NumericSegment {
             largest.is_finite().then_some(largest)
         };
         let (mut sigma, mut step, mut refined) = (FIRST, STEP, 0);
-        for _ in 0..STEPS + REFINED {
+        for _ in 0..ELLIPSES + REFINED {
             match bound(sigma) {
                 Some(largest) => match (best, Known::fewest(sigma, largest, NOTHING * size)) {
                     // On larger ellipses, the growth of the bound outweighs the faster convergence.

@@ -35,7 +35,7 @@ const MOST_ROOT: i64 = 100;
 const MOST_ZEROS: i64 = 400;
 /// The ratio of successive radii at which a bound on k is sought, and their number.
 const STEP: f64 = 8.0;
-const STEPS: i32 = 12;
+const RADII: i32 = 12;
 /// A relative error of roots, powers and logarithms of the platform, with room.
 const HAIR: f64 = 1e-12;
 
@@ -125,7 +125,7 @@ impl LeadingPower {
             if bound.is_nan() || !power.is_normal() { f64::INFINITY } else { bound }
         };
         let mut best = f64::INFINITY;
-        for step in 0..STEPS {
+        for step in 0..RADII {
             let own = on(least * STEP.powi(step));
             // Beyond the first singularity all are infinite.
             if own.is_infinite() && best.is_finite() {

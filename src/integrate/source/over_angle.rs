@@ -1,16 +1,16 @@
 //! f′ at the nodes of a quadrature over the angle t, r = x sin t.
 
-use crate::integrate::integral::{MOST, NumericSegment, with_ulps};
+use crate::integrate::integral::{MOST_POINTS, NumericSegment, with_ulps};
 use crate::integrate::source::f_prime::Scratch;
 use crate::num::Bounded;
 use crate::num::quadrature::growth_below_normal;
 
-/// Up to [`MOST`] nodes of one segment.
+/// Up to [`MOST_POINTS`] nodes of one segment.
 pub(crate) struct Nodes {
     /// r − lower, and bounds on its error.
-    pub(crate) distances: [f64; MOST],
-    pub(crate) doubts: [f64; MOST],
-    pub(crate) slopes: [Bounded; MOST],
+    pub(crate) distances: [f64; MOST_POINTS],
+    pub(crate) doubts: [f64; MOST_POINTS],
+    pub(crate) slopes: [Bounded; MOST_POINTS],
 }
 
 impl NumericSegment {
@@ -23,10 +23,10 @@ impl NumericSegment {
         angles: impl ExactSizeIterator<Item = (f64, f64)>,
         scratch: &mut Scratch,
     ) -> Nodes {
-        let count = angles.len().min(MOST);
-        let (mut distances, mut doubts) = ([0.0; MOST], [0.0; MOST]);
-        let (mut normal, mut growths) = ([0.0; MOST], [0.0; MOST]);
-        let (mut values, mut errors) = ([0.0; MOST], [0.0; MOST]);
+        let count = angles.len().min(MOST_POINTS);
+        let (mut distances, mut doubts) = ([0.0; MOST_POINTS], [0.0; MOST_POINTS]);
+        let (mut normal, mut growths) = ([0.0; MOST_POINTS], [0.0; MOST_POINTS]);
+        let (mut values, mut errors) = ([0.0; MOST_POINTS], [0.0; MOST_POINTS]);
         let first = (from - self.lower.value) / x;
         let places = distances.iter_mut().zip(&mut doubts).zip(&mut normal).zip(&mut growths);
         for ((((distance, doubt), normal), growth), (v, rest)) in places.zip(angles) {
@@ -43,7 +43,7 @@ impl NumericSegment {
             *doubt = with_ulps(*normal, 12.0).error + own;
         }
         self.f_prime.block(&normal[..count], &doubts[..count], &mut values[..count], &mut errors[..count], scratch);
-        let mut slopes = [Bounded::exact(0.0); MOST];
+        let mut slopes = [Bounded::exact(0.0); MOST_POINTS];
         for (((f_prime, value), error), growth) in slopes.iter_mut().zip(values).zip(errors).zip(growths) {
             *f_prime = Bounded { value, error: error + growth * value.abs() };
         }

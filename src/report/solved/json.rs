@@ -20,7 +20,7 @@ pub fn solved(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<
     let verdict = RefCell::new(Verdict::default());
     #[derive(Serialize)]
     struct Document<'a, 'r> {
-        units: Option<Units<'a>>,
+        units: Option<UnitNames<'a>>,
         effective_modulus: f64,
         #[serde(skip_serializing_if = "Option::is_none")]
         tip: Option<TipEntry<'a>>,
@@ -31,13 +31,13 @@ pub fn solved(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<
         completion: CompletionOf<'a, 'r>,
     }
     #[derive(Serialize)]
-    struct Units<'a> {
+    struct UnitNames<'a> {
         length: &'a str,
         force: &'a str,
         pressure: &'a str,
     }
     let scene = run.scene();
-    let units = scene.system.names().map(|own| Units { length: &own.length, force: &own.force, pressure: &own.pressure });
+    let units = scene.system.names().map(|own| UnitNames { length: &own.length, force: &own.force, pressure: &own.pressure });
     let document = Document {
         units,
         effective_modulus: scene.effective_modulus * scene.system.out(Dimension::PRESSURE),

@@ -50,7 +50,7 @@ pub(in crate::scene) struct Typed {
 }
 
 /// Maximum number of pixels along a side.
-const MOST: usize = 1 << 24;
+const MOST_PIXELS: usize = 1 << 24;
 
 impl Typed {
     /// Reads the table.
@@ -94,7 +94,7 @@ impl Typed {
 
 /// Reads a whole number, or a list of them.
 fn counts(entry: &Entry<'_>) -> Result<Vec<f64>, SceneError> {
-    let one = |entry: &Entry<'_>| Ok(entry.count(MOST)? as f64);
+    let one = |entry: &Entry<'_>| Ok(entry.count(MOST_PIXELS)? as f64);
     match entry.list() {
         Some(list) => list.map(|own| one(&own)).collect(),
         None => Ok(vec![one(entry)?]),

@@ -11,7 +11,7 @@ use crate::transform::Method;
 use std::ops::Range;
 
 /// Maximum number of loads, and of points of a curve.
-const MOST: usize = 100_000_000;
+const MOST_LOADS: usize = 100_000_000;
 
 /// Numbers as typed; the ends of a range are start and stop.
 enum Typed {
@@ -264,7 +264,7 @@ fn numbers(entry: &Entry<'_>) -> Result<Typed, SceneError> {
             let own = table.demand(key, help)?;
             Ok((own.quantity()?, own.span()))
         };
-        let (start, stop, count) = (end("start")?, end("stop")?, table.demand("count", help)?.count(MOST)?);
+        let (start, stop, count) = (end("start")?, end("stop")?, table.demand("count", help)?.count(MOST_LOADS)?);
         let spacing = table.get("spacing").map(|entry| entry.word(&["linear", "log"])).transpose()?;
         return Ok(Typed::Range { ends: Box::new([start, stop]), count, logarithmic: spacing == Some("log") });
     }

@@ -11,7 +11,7 @@ pub(super) type Points = Vec<(f64, f64)>;
 /// Minimum number of points of a tip.
 const FEWEST: usize = 4;
 /// Maximum number of points.
-const MOST: usize = 200_000;
+const MOST_POINTS: usize = 200_000;
 /// Radii closer than this fraction of the mean spacing are treated as equal.
 const NEAR: f64 = 1e-6;
 /// Steps are reported if at least one of this many intervals is level.
@@ -58,8 +58,8 @@ pub(super) fn ordered(
         let message = format!("the file contains only {} different {name}", points.len());
         return Err(SceneError::value(message).help(format!("expected at least {FEWEST}")).at(last));
     }
-    if points.len() > MOST {
-        let message = format!("the file contains {} different {name}, but the limit is {MOST}", points.len());
+    if points.len() > MOST_POINTS {
+        let message = format!("the file contains {} different {name}, but the limit is {MOST_POINTS}", points.len());
         return Err(SceneError::value(message).help("use fewer points, such as every tenth row").at(last));
     }
     Ok(points)

@@ -3,7 +3,7 @@
 use super::hypothesis::{self, Columns, Exchange, Slip, Taken};
 use super::images::{self, Images};
 use super::score::{Gauge, Score};
-use super::{Evidence, Found, Trial, Tried, minimum, minimum_by, score, thinned};
+use super::{Evidence, Ranked, Trial, Tried, minimum, minimum_by, score, thinned};
 use crate::contact::{Load, State};
 use crate::parse;
 use crate::scene::{Control, Scene};
@@ -17,7 +17,7 @@ use crate::validate::region::Region;
 const SECTIONS_OF_A_SIDE: u32 = 14;
 
 impl Trial<'_> {
-    pub(super) fn field(&self, evidence: &Evidence) -> Option<Found> {
+    pub(super) fn field(&self, evidence: &Evidence) -> Option<Ranked> {
         let Evidence::Field { spots: all, state, held, side, placings, factors, columns } = evidence else { return None };
         // Exclude points outside the contact by their zero pressure, since r may be in another unit.
         let inside: Vec<Spot> = all.iter().copied().filter(|spot| spot.p != 0.0).collect();
@@ -74,7 +74,7 @@ impl Trial<'_> {
     }
 
     /// Checks for pressures that are correct up to some pixels inside the edge, and 0 beyond.
-    fn lost(&self, known: &Pressures<'_>, all: &[Spot]) -> Option<Found> {
+    fn lost(&self, known: &Pressures<'_>, all: &[Spot]) -> Option<Ranked> {
         let (a, pixel) = (known.state.radius, self.gauge.pixel?);
         let gauge = Gauge { margin: pixel, ..*self.gauge };
         let (kept, gone): (Vec<Spot>, Vec<Spot>) = all.iter().filter(|spot| spot.r < a).partition(|spot| spot.p != 0.0);

@@ -1,14 +1,14 @@
 //! The diagnosis of files with loads.
 
 use super::hypothesis::{self, Exchange, Fault, Slip, Taken};
-use super::{Found, TRIED, Trial, Tried, minimum, score, thinned};
+use super::{Ranked, TRIED, Trial, Tried, minimum, score, thinned};
 use crate::contact::{Load, State};
 use crate::validate::exact::{Exact, States};
 use crate::validate::file::row::Row;
 use std::cell::RefCell;
 
 impl Trial<'_> {
-    pub(super) fn loads(&self, all: &[Row], factors: &Row, columns: &hypothesis::Columns) -> Option<Found> {
+    pub(super) fn loads(&self, all: &[Row], factors: &Row, columns: &hypothesis::Columns) -> Option<Ranked> {
         let rows = &thinned(all);
         // A sample of the rows would not contain the row with the next load.
         let neighbours = all.get(all.len().saturating_sub(TRIED)..)?;

@@ -135,7 +135,7 @@ struct Trial<'t> {
 }
 
 /// Returns the faults found so far and all hypotheses that can be tested.
-type Found = (Option<Score>, Vec<Tried>);
+type Ranked = (Option<Score>, Vec<Tried>);
 
 impl Trial<'_> {
     fn faults(&self, of_data: &[Fault]) -> Vec<Fault> {

@@ -26,7 +26,7 @@ pub(in crate::validate) const NPZ: &[u8] = b"PK\x03\x04";
 /// Maximum total size of all arrays, in bytes.
 const LONGEST: u64 = 1_000_000_000;
 /// Maximum number of members of an archive.
-const MOST: usize = 1000;
+const MOST_MEMBERS: usize = 1000;
 pub(in crate::validate) const NUMPY: &str = "expected arrays of real numbers as written by numpy.save or numpy.savez";
 
 /// Reads every array in the bytes of a file; `name` is the name of the file in errors, and `stem` the name of the array in an NPY file.
@@ -39,8 +39,8 @@ pub(in crate::validate) fn arrays(name: &str, stem: &str, bytes: Vec<u8>) -> Res
     let (mut list, mut total) = (Vec::new(), 0);
     for (index, member) in archive.entries().enumerate() {
         let part = |error: rawzip::Error| fault(format!("member {}: {error}", index + 1));
-        if index == MOST {
-            return Err(fault(format!("the archive has more than {MOST} members")));
+        if index == MOST_MEMBERS {
+            return Err(fault(format!("the archive has more than {MOST_MEMBERS} members")));
         }
         let member = member.map_err(part)?;
         let name = String::from_utf8_lossy(member.file_path().as_bytes()).into_owned();

@@ -120,7 +120,7 @@ pub fn of_areas(radii: &[(f64, f64)]) -> Option<f64> {
 }
 
 fn largest_unit(radii: &[(f64, f64)]) -> Option<f64> {
-    const MOST: u32 = 200_000;
+    const MOST_INTERVALS: u32 = 200_000;
     let areas: Vec<f64> = radii.iter().map(|(a, _)| std::f64::consts::PI * a * a).collect();
     let least = areas.iter().copied().fold(f64::INFINITY, f64::min);
     if areas.len() < 4 || least <= 0.0 {
@@ -128,7 +128,7 @@ fn largest_unit(radii: &[(f64, f64)]) -> Option<f64> {
     }
     // One wrong area of several does not hide the unit of the others.
     let may_miss = usize::from(areas.len() >= 6);
-    for count in 1..=MOST {
+    for count in 1..=MOST_INTERVALS {
         let unit = least / f64::from(count);
         // Expected number of trials that would succeed by chance.
         let (mut chance, mut missed) = (f64::from(count), 0);

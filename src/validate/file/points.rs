@@ -6,7 +6,7 @@ use crate::validate::file::column::Kind;
 use crate::validate::file::data::{Data, Source};
 use crate::validate::file::layout::Layout;
 use crate::validate::file::table::Table;
-use crate::validate::file::units::Units;
+use crate::validate::file::units::DataUnits;
 
 /// Reads the points of a file from its columns x and y, or r, in computing units; other columns are ignored.
 ///
@@ -16,7 +16,7 @@ use crate::validate::file::units::Units;
 /// [`ValidationError`] if the file cannot be read or has no such columns.
 pub fn points(source: &Source<'_>, scene: &Scene) -> Result<Grid, ValidationError> {
     let fault = |message: String, help: &str| ValidationError::data(&source.name, None, message, help);
-    let (layout, mut units) = (Layout::default(), Units::default());
+    let (layout, mut units) = (Layout::default(), DataUnits::default());
     let data = Data::of(source, &layout, scene)?;
     let Some(data) = data.first() else { return Err(fault("the file is empty".to_owned(), HELP)) };
     let mut table = Table::open(data)?;

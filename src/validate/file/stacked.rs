@@ -19,13 +19,13 @@ struct Head {
 
 #[derive(Deserialize)]
 struct Document {
-    units: Option<Units>,
+    units: Option<StackUnits>,
     grid: Grid,
     loads: Vec<Load>,
 }
 
 #[derive(Deserialize)]
-struct Units {
+struct StackUnits {
     length: String,
     pressure: String,
 }

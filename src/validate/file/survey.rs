@@ -10,7 +10,7 @@ use crate::validate::file::lattice::{Lattice, Offset};
 use crate::validate::file::layout::{Averaging, Layout, Origin};
 use crate::validate::file::row::Row;
 use crate::validate::file::table::Table;
-use crate::validate::file::units::Units;
+use crate::validate::file::units::DataUnits;
 use crate::validate::{FileReport, ValidationError};
 use std::collections::BTreeSet;
 
@@ -66,7 +66,7 @@ const HELP: &str = "expected columns such as d_um,F_mN,a_um for loads, or r_um,p
 
 impl<'s> Survey<'s> {
     /// Reads a file once.
-    pub(in crate::validate) fn new(data: Data<'s>, scene: &Scene, units: &mut Units) -> Result<Self, ValidationError> {
+    pub(in crate::validate) fn new(data: Data<'s>, scene: &Scene, units: &mut DataUnits) -> Result<Self, ValidationError> {
         let (source, layout) = (data.source, data.layout);
         let mut table = Table::open(&data)?;
         let content = content(&source.name, &table).map_err(|error| layout.without_column(&table.names).unwrap_or(error))?;

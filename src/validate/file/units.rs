@@ -6,14 +6,14 @@ use crate::validate::file::column::Column;
 
 /// Units for a scene without units: the first units in the data are used.
 #[derive(Default)]
-pub(in crate::validate) struct Units {
+pub(in crate::validate) struct DataUnits {
     length: Option<Unit>,
     force: Option<Unit>,
     pressure: Option<Unit>,
     pub(in crate::validate) note: Option<String>,
 }
 
-impl Units {
+impl DataUnits {
     /// Returns the factor that converts a column to the units of the scene.
     pub(in crate::validate) fn factor(&mut self, scene: &Scene, file: &str, column: &Column) -> Result<f64, ValidationError> {
         let Some(unit) = &column.unit else { return Ok(1.0 / scene.system.out(column.kind.dimension())) };

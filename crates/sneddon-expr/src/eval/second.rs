@@ -32,7 +32,7 @@ pub struct PreciseAlgebra;
 const FEW: usize = 8;
 /// Difference steps relative to the argument: the first balances curvature and rounding, the others are for edges of domains.
 /// The last two are for functions with a 30-digit value, whose arguments are known much more precisely than such a step.
-const STEPS: [f64; 4] = [1.0 / (1_u64 << 17) as f64, 1.0 / (1_u64 << 34) as f64, 1.0 / (1_u64 << 44) as f64, f64::EPSILON];
+const DIFFERENCE_STEPS: [f64; 4] = [1.0 / (1_u64 << 17) as f64, 1.0 / (1_u64 << 34) as f64, 1.0 / (1_u64 << 44) as f64, f64::EPSILON];
 
 impl Algebra for PreciseAlgebra {
     type Value = Precise;
@@ -129,7 +129,7 @@ fn probed(row: &Row, values: &[DoubleDouble], distances: &[f64]) -> f64 {
             at(value.hi);
             continue;
         }
-        let steps = if row.precise.is_some() { STEPS.as_slice() } else { &STEPS[..2] };
+        let steps = if row.precise.is_some() { DIFFERENCE_STEPS.as_slice() } else { &DIFFERENCE_STEPS[..2] };
         let slope = steps.iter().find_map(|step| {
             let step = (step * value.hi.abs()).max(*distance);
             // Steps to the neighbouring doubles are taken exactly: one ulp above 1 − 2⁻⁵² is still below 1.

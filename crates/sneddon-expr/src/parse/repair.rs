@@ -5,7 +5,7 @@ use super::{ParseError, Reason};
 use std::ops::Range;
 
 /// Most edits of one text.
-const MOST: usize = 40;
+const MOST_EDITS: usize = 40;
 /// The longest text that is written out as a whole, in bytes.
 const LONGEST: usize = 160;
 
@@ -52,7 +52,7 @@ pub(super) fn advised<T>(text: &str, read: impl Fn(&str) -> Result<T, ParseError
         Err(error) => error,
     };
     let (mut meant, mut next) = (text.to_owned(), edit(&error));
-    for _ in 0..MOST {
+    for _ in 0..MOST_EDITS {
         let Some(repair) = next else { return Err(error) };
         meant = repair.applied(&meant);
         next = match read(&meant) {

@@ -5,7 +5,7 @@ use crate::expr::{Bindings, Expr, Formula, Node, Number, Symbol, rewritten, show
 use std::collections::{BTreeSet, HashMap};
 
 /// Maximum number of names for one formula.
-const MOST: usize = 48;
+const MOST_NAMES: usize = 48;
 /// Parts that are not wider than this many letters get no name.
 const NARROW: usize = 8;
 /// Expressions with more nodes than this are left as they are.
@@ -66,7 +66,7 @@ impl Names {
         let variables = variables(right);
         let mut new: Vec<(Symbol, Formula)> = Vec::new();
         let mut refused = Vec::new();
-        while new.len() < MOST {
+        while new.len() < MOST_NAMES {
             let all = || std::iter::once(&shown).chain(new.iter().map(|(_, own)| own));
             let formulas: Vec<&Formula> = all().collect();
             // A formula without a part to be named may stay wide; the others are shortened all the same.

@@ -4,7 +4,7 @@ use super::super::bounded::Bounded;
 use super::super::error::NumError;
 use super::super::estimate::Estimate;
 use super::refine::Work;
-use super::sample::{Order, Place};
+use super::sample::{Order, Part};
 use super::transform::Map;
 use super::{Integrand, Panel, Point};
 
@@ -163,13 +163,13 @@ fn over_panels(integrand: &mut Integrand<'_>, panels: &[Panel], options: &Option
         if !map.is_smooth() {
             // The substituted integrand is bell-shaped and not resolved by a single rule.
             for index in 0..BELL_PIECES {
-                let place = Place { index, level: BELL_PIECES.ilog2() };
+                let place = Part { index, level: BELL_PIECES.ilog2() };
                 let piece = work.measure(order, map, place, 0, options, integrand)?;
                 work.push(piece);
             }
             continue;
         }
-        let whole = Place { index: 0, level: 0 };
+        let whole = Part { index: 0, level: 0 };
         let piece = work.measure(order, map, whole, 0, options, integrand)?;
         if panels.len() == 1 {
             // The common case: a single rule suffices, and nothing is allocated.

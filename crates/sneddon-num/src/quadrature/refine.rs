@@ -7,7 +7,7 @@ use super::super::bounded::Bounded;
 use super::super::error::NumError;
 use super::super::estimate::Estimate;
 use super::super::work;
-use super::sample::{Order, Place, Sample, sample};
+use super::sample::{Order, Part, Sample, sample};
 use super::transform::Map;
 use super::{Integrand, Options, Rule};
 
@@ -23,7 +23,7 @@ const MOST_STALLS_IN_NOISE: u8 = 4;
 /// A part of a panel with the estimate of its integral.
 pub(super) struct Piece {
     map: Map,
-    place: Place,
+    place: Part,
     order: Order,
     /// How many bisections above it had no effect.
     stalls: u8,
@@ -115,7 +115,7 @@ impl Work {
         &mut self,
         order: Order,
         map: Map,
-        place: Place,
+        place: Part,
         stalls: u8,
         options: &Options,
         integrand: &mut Integrand<'_>,
@@ -184,7 +184,7 @@ impl Work {
         } else {
             let mut halves = [None, None];
             for (half, slot) in halves.iter_mut().enumerate() {
-                let place = Place { index: 2 * place.index + half as u64, level: place.level + 1 };
+                let place = Part { index: 2 * place.index + half as u64, level: place.level + 1 };
                 let piece = self.measure(order, map, place, stalls, options, integrand)?;
                 after.add(&piece.found);
                 *slot = Some(piece);

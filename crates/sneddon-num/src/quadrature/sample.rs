@@ -37,7 +37,7 @@ impl Order {
 
 /// A piece of a panel: the `index`-th of 2^`level` equal parts of the map's variable.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct Part {
     pub(super) index: u64,
     pub(super) level: u32,
 }
@@ -58,7 +58,7 @@ pub(super) struct Sample {
 }
 
 /// Applies the rule of the given order.
-pub(super) fn sample(order: Order, map: &Map, place: Place, charge_x: bool, integrand: &mut Integrand<'_>) -> Result<Sample, NumError> {
+pub(super) fn sample(order: Order, map: &Map, place: Part, charge_x: bool, integrand: &mut Integrand<'_>) -> Result<Sample, NumError> {
     match order {
         Order::Points15 => apply(&KRONROD_15, map, place, charge_x, integrand),
         Order::Points21 => apply(&KRONROD_21, map, place, charge_x, integrand),
@@ -68,12 +68,12 @@ pub(super) fn sample(order: Order, map: &Map, place: Place, charge_x: bool, inte
 }
 
 /// Most points of a rule.
-const MOST: usize = 61;
+const MOST_NODES: usize = 61;
 
 fn apply<const H: usize>(
     rule: &Rule<H>,
     map: &Map,
-    place: Place,
+    place: Part,
     charge_x: bool,
     integrand: &mut Integrand<'_>,
 ) -> Result<Sample, NumError> {
@@ -83,7 +83,7 @@ fn apply<const H: usize>(
     let after = ((1u64 << place.level) - 1 - place.index) as f64;
     // All points first, so that the integrand sees them as one block: the lower half, the upper half, the centre.
     let nowhere = Point { x: 0.0, from_lower: 0.0, from_upper: 0.0 };
-    let (mut points, mut slopes, mut heights) = ([nowhere; MOST], [0.0; MOST], [Bounded::exact(0.0); MOST]);
+    let (mut points, mut slopes, mut heights) = ([nowhere; MOST_NODES], [0.0; MOST_NODES], [Bounded::exact(0.0); MOST_NODES]);
     let count = 2 * H - 1;
     for (i, &near) in rule.distance.iter().enumerate().take(H - 1) {
         let far = 1.0 - near;

@@ -63,8 +63,8 @@ impl Region {
             }
             return (exponent * self.ln()).exp();
         };
-        const MOST: f64 = 1e6;
-        if own.fract() == 0.0 && own.abs() <= MOST {
+        const LARGEST_POWER: f64 = 1e6;
+        if own.fract() == 0.0 && own.abs() <= LARGEST_POWER {
             return self.powi(own as i32);
         }
         if self.is_on_the_axis() && self.re.low >= 0.0 && own > 0.0 {

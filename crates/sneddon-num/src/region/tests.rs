@@ -84,9 +84,9 @@ fn erf(z: Complex64) -> Complex64 {
 
 /// The mean over t from 0 to 1, by Simpson's rule.
 fn mean(f: impl Fn(f64) -> Complex64) -> Complex64 {
-    const STEPS: usize = 400;
+    const INTERVALS: usize = 400;
     let weight = |i: usize| {
-        if i == 0 || i == STEPS {
+        if i == 0 || i == INTERVALS {
             1.0
         } else if i % 2 == 1 {
             4.0
@@ -94,7 +94,7 @@ fn mean(f: impl Fn(f64) -> Complex64) -> Complex64 {
             2.0
         }
     };
-    (0..=STEPS).map(|i| weight(i) * f(i as f64 / STEPS as f64)).sum::<Complex64>() / (3.0 * STEPS as f64)
+    (0..=INTERVALS).map(|i| weight(i) * f(i as f64 / INTERVALS as f64)).sum::<Complex64>() / (3.0 * INTERVALS as f64)
 }
 
 /// The power series of H_n.

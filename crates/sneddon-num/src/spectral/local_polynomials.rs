@@ -234,17 +234,17 @@ impl Part {
     fn new(source: &impl Exact, prefix: u64, depth: u32) -> Self {
         let shift = MANTISSA - depth * BITS;
         let (from, to) = (f64::from_bits(prefix << shift), f64::from_bits((prefix + 1) << shift));
-        let found = if source.is_smooth(from, to) { Short::find(source, from, to, depth) } else { Found::Rough };
+        let found = if source.is_smooth(from, to) { Short::find(source, from, to, depth) } else { Expanded::Rough };
         match found {
-            Found::Short(short) => Self::Short(Box::new(short)),
-            Found::Rough if depth < DEEPEST => Self::Divided(Box::new(divided())),
+            Expanded::Short(short) => Self::Short(Box::new(short)),
+            Expanded::Rough if depth < DEEPEST => Self::Divided(Box::new(divided())),
             _ => Self::Other,
         }
     }
 }
 
 /// The result of expanding a part.
-enum Found {
+enum Expanded {
     Short(Short),
     /// Shorter parts may help.
     Rough,
@@ -259,21 +259,21 @@ fn place(x: f64, depth: u32) -> f64 {
 }
 
 impl Short {
-    fn find(source: &impl Exact, from: f64, to: f64, depth: u32) -> Found {
+    fn find(source: &impl Exact, from: f64, to: f64, depth: u32) -> Expanded {
         let at = |u: f64| from + (to - from) * (0.5 * (u + 1.0));
         let exact = |x: f64| Some(source.exact(x)).filter(|own| own.error <= KNOWN * own.value.hi.abs() && own.value.hi.is_normal());
-        let Some(middle) = exact(at(0.0)).map(|own| own.value) else { return Found::Unknown };
+        let Some(middle) = exact(at(0.0)).map(|own| own.value) else { return Expanded::Unknown };
         let size = middle.hi.abs();
         let change = |x: f64| exact(x).map(|own| own.value.sub(middle));
         let (mut changes, mut displaced) = ([DoubleDouble::from(0.0); LOCAL], [0.0; LOCAL]);
         for ((own, moved), u) in changes.iter_mut().zip(&mut displaced).zip(local_nodes()) {
             let x = at(*u);
-            let Some(found) = change(x) else { return Found::Unknown };
+            let Some(found) = change(x) else { return Expanded::Unknown };
             (*own, *moved) = (found, u - place(x, depth));
         }
         let largest = changes.iter().fold(0.0f64, |most, own| most.max(own.hi.abs()));
         if largest > CHANGE * size {
-            return Found::Rough;
+            return Expanded::Rough;
         }
         // The doubles next to the nodes are not the nodes: the values there follow from the slope.
         let noise = f64::EPSILON * largest;
@@ -284,13 +284,13 @@ impl Short {
         let (polynomial, tail) = Local::fit_precise(&changes, noise);
         let mut off = 0.0f64;
         for x in TRIED.map(at) {
-            let Some(found) = change(x) else { return Found::Unknown };
+            let Some(found) = change(x) else { return Expanded::Unknown };
             off = off.max((polynomial.at(place(x, depth)) - found.value()).abs());
         }
         if !(tail <= LEFT_OUT * size && off <= LEFT_OUT * size + noise) {
-            return Found::Rough;
+            return Expanded::Rough;
         }
-        Found::Short(Self { middle: middle.hi, change: polynomial.raised(middle.lo) })
+        Expanded::Short(Self { middle: middle.hi, change: polynomial.raised(middle.lo) })
     }
 
     #[inline(always)]

@@ -3,7 +3,7 @@
 //! RANDOM_SCENES.txt is the output of `cargo run --release -p sneddon-runs --bin random_scenes`.
 
 use sneddon_checks::stability::cells;
-use sneddon_checks::stability_page::page;
+use sneddon_checks::stability::page::page;
 use std::error::Error;
 use std::fs;
 

@@ -18,7 +18,7 @@ use crate::expr::{Condition, Expr, Sign, sign};
 use crate::integrate::segment::Segment;
 use laurent::Values;
 use moments::{Family, Kernel, Moment, Piece};
-use pieces::{Field, Place};
+use pieces::{Field, MomentRange};
 
 const H: Parameter = Parameter { name: "h", lowest: 0.1, highest: 4.0 };
 const W: Parameter = Parameter { name: "w", lowest: 0.5, highest: 4.0 };
@@ -125,7 +125,7 @@ impl Work<'_> {
     /// The sum over the pieces, their common factor taken out.
     fn value(&self, name: &str, form: &Moment, upper: Option<&Expr>, stable: bool) -> Expr {
         let lower = &self.segment.lower;
-        let place = Place { field: &self.reading.field, x: Expr::symbol(name), lower, upper, stable };
+        let place = MomentRange { field: &self.reading.field, x: Expr::symbol(name), lower, upper, stable };
         let values = |end: &Expr| Values {
             x: place.x.clone(),
             square_length: self.reading.field.square_length.clone(),

@@ -11,7 +11,7 @@ pub(super) struct Field {
 }
 
 /// Where a moment is taken: from b to x, or from b to c with x beyond c.
-pub(super) struct Place<'a> {
+pub(super) struct MomentRange<'a> {
     pub(super) field: &'a Field,
     pub(super) x: Expr,
     pub(super) lower: &'a Expr,
@@ -20,7 +20,7 @@ pub(super) struct Place<'a> {
     pub(super) stable: bool,
 }
 
-impl Place<'_> {
+impl MomentRange<'_> {
     pub(super) fn length(&self) -> Expr {
         self.field.square_length.sqrt()
     }

@@ -3,7 +3,7 @@
 //! A point whose bound is not comfortable (a zero or tiny product, an edge, an infinity) is computed again by [`Bounded`].
 
 use super::program::{Action, Known, Operand, Program};
-use super::{BLOCK, BlockInput, BlockScratch, Place};
+use super::{BLOCK, BlockInput, BlockScratch, RegisterSlot};
 use crate::expr::Function;
 use crate::num::{Bounded, DoubleDouble, real_power, real_power_part};
 
@@ -84,7 +84,7 @@ impl Program {
         self.act_bounded(&last.action, &block, To { values: out, errors }, registers)
     }
 
-    fn act_bounded(&self, action: &Action, block: &Block<'_, '_>, to: To<'_>, registers: &[Place]) -> Option<()> {
+    fn act_bounded(&self, action: &Action, block: &Block<'_, '_>, to: To<'_>, registers: &[RegisterSlot]) -> Option<()> {
         let values = |operand: &Operand| block.values(*operand, registers);
         match action {
             Action::Add(a, b) => two(values(a)?, values(b)?, to, add, |a, b| a + b),
@@ -128,7 +128,7 @@ impl Program {
 }
 
 impl<'a> Block<'a, '_> {
-    fn values<'r>(&self, operand: Operand, registers: &'r [Place]) -> Option<Values<'r>>
+    fn values<'r>(&self, operand: Operand, registers: &'r [RegisterSlot]) -> Option<Values<'r>>
     where
         'a: 'r,
     {

@@ -15,13 +15,13 @@ const BLOCK: usize = 256;
 /// Scratch memory shared by all blocks of a thread; nothing is allocated after the first call of the largest tape.
 #[derive(Clone, Debug, Default)]
 pub struct BlockScratch {
-    registers: Vec<Place>,
+    registers: Vec<RegisterSlot>,
     /// Errors of exact inputs.
     zeros: Vec<f64>,
 }
 
 /// A register; empty while it is being written.
-type Place = Option<Box<Register>>;
+type RegisterSlot = Option<Box<Register>>;
 
 /// Intermediate values of one block and their errors.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! Plain numbers: loops that the compiler turns into vector instructions wherever the processor has them.
 
 use super::program::{Action, Operand, Program};
-use super::{BLOCK, Place};
+use super::{BLOCK, RegisterSlot};
 use crate::expr::Function;
 use crate::num::{corrected_power, real_power};
 
@@ -17,7 +17,7 @@ enum Values<'a> {
 
 impl Program {
     /// The output at the points from `from` on, as many as `out` has and at most [`BLOCK`].
-    pub(super) fn run(&self, inputs: &[&[f64]], from: usize, out: &mut [f64], registers: &mut [Place]) -> Option<()> {
+    pub(super) fn run(&self, inputs: &[&[f64]], from: usize, out: &mut [f64], registers: &mut [RegisterSlot]) -> Option<()> {
         let count = out.len().min(BLOCK);
         let Some((last, steps)) = self.steps.split_last() else {
             match self.values(self.output, inputs, from, count, registers)? {
@@ -36,7 +36,14 @@ impl Program {
         self.act(&last.action, inputs, from, out, registers)
     }
 
-    fn values<'a>(&self, operand: Operand, inputs: &[&'a [f64]], from: usize, count: usize, registers: &'a [Place]) -> Option<Values<'a>> {
+    fn values<'a>(
+        &self,
+        operand: Operand,
+        inputs: &[&'a [f64]],
+        from: usize,
+        count: usize,
+        registers: &'a [RegisterSlot],
+    ) -> Option<Values<'a>> {
         Some(match operand {
             Operand::Constant(known) => Values::One(known.plain),
             Operand::Input(index) => Values::Each(inputs.get(index)?.get(from..from + count)?),
@@ -44,7 +51,7 @@ impl Program {
         })
     }
 
-    fn act(&self, action: &Action, inputs: &[&[f64]], from: usize, to: &mut [f64], registers: &[Place]) -> Option<()> {
+    fn act(&self, action: &Action, inputs: &[&[f64]], from: usize, to: &mut [f64], registers: &[RegisterSlot]) -> Option<()> {
         let count = to.len();
         let values = |operand: &Operand| self.values(*operand, inputs, from, count, registers);
         match action {

@@ -41,30 +41,30 @@ fn split(own: &Univariate, pure: bool, multiplicity: i64, found: &mut Vec<(Polyn
     let polynomial = own.to_polynomial();
     for factor in two_factors(own, &polynomial, pure)? {
         match factor {
-            Found::Itself => match found.iter_mut().find(|(other, _)| other.to_expr() == polynomial.to_expr()) {
+            Factored::Itself => match found.iter_mut().find(|(other, _)| other.to_expr() == polynomial.to_expr()) {
                 Some((_, n)) => *n += multiplicity,
                 None => found.push((polynomial.clone(), multiplicity)),
             },
-            Found::Factor(part, n) => split(&part, pure, multiplicity * n, found)?,
+            Factored::Factor(part, n) => split(&part, pure, multiplicity * n, found)?,
         }
     }
     Ok(())
 }
 
-enum Found {
+enum Factored {
     Itself,
     Factor(Univariate, i64),
 }
 
 /// One step: the two factors, the root of a square, or nothing.
-fn two_factors(own: &Univariate, polynomial: &Polynomial, pure: bool) -> Result<Vec<Found>, ExprError> {
+fn two_factors(own: &Univariate, polynomial: &Polynomial, pure: bool) -> Result<Vec<Factored>, ExprError> {
     let frame = polynomial.frame();
     frame.charge()?;
     let present = own.coefficients().iter().enumerate().filter(|(_, c)| !c.is_zero()).map(|(k, _)| k);
     let step = present.fold(0, num_integer::gcd);
     let degree = own.degree();
     if degree <= 1 || step == 0 || own.coefficient(0).is_zero() {
-        return Ok(vec![Found::Itself]);
+        return Ok(vec![Factored::Itself]);
     }
     let half = if degree == step && step % 2 == 0 {
         step / 2
@@ -72,13 +72,13 @@ fn two_factors(own: &Univariate, polynomial: &Polynomial, pure: bool) -> Result<
         step
     } else {
         return Ok(match sparse::square_root(polynomial).and_then(|root| Univariate::read(&root)) {
-            Some(root) if degree.is_multiple_of(2) => vec![Found::Factor(root, 2)],
-            _ => vec![Found::Itself],
+            Some(root) if degree.is_multiple_of(2) => vec![Factored::Factor(root, 2)],
+            _ => vec![Factored::Itself],
         });
     };
     let (c, b, a) = (own.coefficient(0), own.coefficient(half), own.coefficient(2 * half));
     if b.is_zero() && half == 1 && !pure {
-        return Ok(vec![Found::Itself]);
+        return Ok(vec![Factored::Itself]);
     }
     let discriminant = b.times(&b)?.minus(&a.times(&c)?.scaled(&Number::integer(4)))?;
     let twice = a.scaled(&Number::integer(2));
@@ -93,12 +93,12 @@ fn two_factors(own: &Univariate, polynomial: &Polynomial, pure: bool) -> Result<
         primitive(&Univariate::new(coefficients, frame), frame)
     };
     if discriminant.is_zero() {
-        return Ok(vec![Found::Factor(linear(b)?, 2)]);
+        return Ok(vec![Factored::Factor(linear(b)?, 2)]);
     }
-    let Some(root) = sparse::square_root(&discriminant) else { return Ok(vec![Found::Itself]) };
+    let Some(root) = sparse::square_root(&discriminant) else { return Ok(vec![Factored::Itself]) };
     let mut sum = b.clone();
     sum.add(&root)?;
-    Ok(vec![Found::Factor(linear(b.minus(&root)?)?, 1), Found::Factor(linear(sum)?, 1)])
+    Ok(vec![Factored::Factor(linear(b.minus(&root)?)?, 1), Factored::Factor(linear(sum)?, 1)])
 }
 
 /// The polynomial without its content, oriented as denominators are.

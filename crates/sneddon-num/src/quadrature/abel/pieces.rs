@@ -299,11 +299,12 @@ fn adaptive<const FORCE: bool>(
     grades: &[f64],
     options: &AbelOptions<'_>,
 ) -> Result<Estimate, NumError> {
-    const MOST: usize = 61;
+    const MOST_NODES: usize = 61;
     let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
-        let count = points.len().min(MOST);
-        let (mut r, mut past, mut below, mut stretch, mut out) = ([0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST]);
-        for (i, point) in points.iter().enumerate().take(MOST) {
+        let count = points.len().min(MOST_NODES);
+        let (mut r, mut past, mut below, mut stretch, mut out) =
+            ([0.0; MOST_NODES], [0.0; MOST_NODES], [0.0; MOST_NODES], [0.0; MOST_NODES], [0.0; MOST_NODES]);
+        for (i, point) in points.iter().enumerate().take(MOST_NODES) {
             let spot = place(point);
             (r[i], past[i], below[i], stretch[i]) = (spot.r, spot.past, spot.below, spot.stretch);
         }

@@ -17,7 +17,7 @@ const LEAST_NODES: usize = 2 * FINEST + 1;
 const CHUNK: usize = 8;
 
 /// Strides of the rules among the nodes of the finest rule, coarsest first.
-const STEPS: [usize; 4] = [8, 4, 2, 1];
+const STRIDES: [usize; 4] = [8, 4, 2, 1];
 
 /// The nodes that one rule adds, from x down to the axis: index k in the finest rule, sin of the angle from the axis, 1 − cos
 /// of the angle from x, and dτ/dv, halved at x.
@@ -30,7 +30,7 @@ struct Rung {
 }
 
 struct Ladder {
-    rungs: [Rung; STEPS.len()],
+    rungs: [Rung; STRIDES.len()],
     /// For every node of the finest rule, tan of its angle from the axis and its weight.
     tangent: Vec<f64>,
     weight: Vec<f64>,
@@ -54,7 +54,7 @@ static LADDER: LazyLock<Ladder> = LazyLock::new(|| {
         ladder.tangent.push(t.tan().min(1e3));
         ladder.weight.push(weight);
         // The coarsest rule that contains the node.
-        let Some(rung) = STEPS.iter().position(|step| k % step == 0).and_then(|level| ladder.rungs.get_mut(level)) else { continue };
+        let Some(rung) = STRIDES.iter().position(|step| k % step == 0).and_then(|level| ladder.rungs.get_mut(level)) else { continue };
         rung.index.push(k);
         rung.sine.push(t.sin());
         rung.versine.push(2.0 * half * half);
@@ -84,7 +84,7 @@ pub fn from_the_axis(
     let ladder = &*LADDER;
     let mut work = Trapezium { sum: 0.0, size: 0.0, noise: 0.0, tail: 0.0, evaluations: 0, values: [0.0; NODES], deepest: NODES };
     let mut before = [f64::INFINITY; 2];
-    for (level, (step, rung)) in STEPS.into_iter().zip(&ladder.rungs).enumerate() {
+    for (level, (step, rung)) in STRIDES.into_iter().zip(&ladder.rungs).enumerate() {
         // Add every node of the coarsest rule from x until the terms are negligible, then the nodes between.
         work.add(ask, extent, rung, level == 0)?;
         let h = step as f64 / FINEST as f64;

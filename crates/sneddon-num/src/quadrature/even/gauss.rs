@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 /// Nodes in the half of each rule.
 const HALVES: [usize; 24] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 20, 22, 24, 28, 32, 40, 48, 56, 64, 80, 96];
 /// The largest of them.
-const MOST: usize = HALVES[HALVES.len() - 1];
+const MOST_HALF_NODES: usize = HALVES[HALVES.len() - 1];
 /// Sums that are added at the end.
 const LANES: usize = 4;
 /// As many nodes are enough often …
@@ -122,7 +122,7 @@ impl Known {
         match rule.nodes.all().z.len() {
             count if count <= FEW => self.sum::<I, FEW>(integrand, rule),
             count if count <= MORE => self.sum::<I, MORE>(integrand, rule),
-            _ => self.sum::<I, MOST>(integrand, rule),
+            _ => self.sum::<I, MOST_HALF_NODES>(integrand, rule),
         }
     }
 

@@ -16,7 +16,7 @@ use nodes::{FIRST, First, GUARDS, STAGES, SUMS};
 use rule::{Rule, Sums, dot, larger, truncation};
 
 /// Nodes in the half of the largest rule.
-const MOST: usize = 256;
+const HALF_NODES: usize = 256;
 /// Nodes in the half of the first rule.
 const FEWEST: usize = 8;
 /// Nodes in the half of the third rule.
@@ -107,7 +107,7 @@ fn climb<I: EvenIntegrand>(integrand: &mut I, mut few: State<FEW>, most: u64, ac
     if few.climb(integrand, 1..3, most, accepted)? {
         return Ok(few.mean);
     }
-    let mut many = State::<MOST>::after(&few);
+    let mut many = State::<HALF_NODES>::after(&few);
     many.climb(integrand, 3..LEVELS.len(), most, accepted)?;
     Ok(many.mean)
 }
@@ -308,7 +308,7 @@ fn judge<I: EvenIntegrand>(
 ) -> Result<(Verdict, Mean), NumError> {
     if !(sums.value.is_finite() && sums.size.is_finite()) {
         let bad = values.iter().position(|v| !v.is_finite()).unwrap_or(0);
-        return Err(NumError::NotFinite { at: patterson::NODES[bad * (MOST / values.len())] });
+        return Err(NumError::NotFinite { at: patterson::NODES[bad * (HALF_NODES / values.len())] });
     }
     let relative = 8.0 * UNIT + integrand.relative();
     let floor = sums.noise + relative * sums.size + integrand.displacement(middles, values);
@@ -337,7 +337,7 @@ fn judge<I: EvenIntegrand>(
 /// small affects only coefficients smaller than the last one of this rule.
 #[inline(always)]
 fn is_steep(values: &[f64], largest: f64) -> bool {
-    let distance = 1.0 - patterson::NODES[(values.len() - 1) * (MOST / values.len())];
+    let distance = 1.0 - patterson::NODES[(values.len() - 1) * (HALF_NODES / values.len())];
     values.last().is_some_and(|last| last.abs() < STEEP * distance * largest)
 }
 

@@ -2,7 +2,7 @@
 
 use super::super::super::stable::halves;
 use super::patterson::{COSINE_RESTS, COSINES, NODES};
-use super::{FEWEST, LEVELS, MOST};
+use super::{FEWEST, HALF_NODES, LEVELS};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::LazyLock;
 
@@ -139,7 +139,7 @@ pub(super) static STAGES: [LazyLock<Stage>; LEVELS.len()] = [
 impl Stage {
     fn new(level: usize) -> Self {
         let count = LEVELS[level].weights.len();
-        let stride = MOST / count;
+        let stride = HALF_NODES / count;
         let all: Vec<(f64, f64)> = (0..count).map(|i| (NODES[i * stride], COSINES[i * stride])).collect();
         let mut fresh = Lists::default();
         for (i, (z, c)) in all.iter().enumerate().filter(|(i, _)| level == 0 || i % 2 == 1) {

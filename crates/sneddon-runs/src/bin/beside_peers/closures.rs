@@ -1,6 +1,6 @@
 //! Profiles as compiled Rust closures, with the properties that their author would declare.
 
-use super::{Place, TOLERANCE, median_ns, show};
+use super::{Case, TOLERANCE, median_ns, show};
 use sneddon::num::quadrature::{AbelOptions, AbelTransform, Radii, Start, Strip, abel};
 
 /// Number of points evaluated with one transform.
@@ -20,7 +20,7 @@ fn sphere(at: Radii<'_>, out: &mut [f64]) {
 }
 
 /// One value of g by quadrature of f′ as a closure.
-pub(crate) fn pointwise(place: &Place) {
+pub(crate) fn pointwise(place: &Case) {
     let plain = AbelOptions { rel_tol: TOLERANCE, ..AbelOptions::default() };
     let odd = AbelOptions { start: Start::Odd, ..plain };
     let algebraic = AbelOptions { start: Start::Algebraic, ..plain };
@@ -43,13 +43,13 @@ pub(crate) fn pointwise(place: &Place) {
 
 /// Measures without and with a bound on f′ in a strip around the real axis: 0.88 cosh 4.4 < 36, tan 1.4 < 5.8, and
 /// 0.8/1.69 (|u| + 3) e^((9 − u²)/1.69) < 350 for all real u.
-fn twice(place: &Place, options: &AbelOptions<'_>, strip: Strip, slope: impl Fn(Radii<'_>, &mut [f64])) {
+fn twice(place: &Case, options: &AbelOptions<'_>, strip: Strip, slope: impl Fn(Radii<'_>, &mut [f64])) {
     smooth(place, options, &slope);
     measure_as("told", place, &AbelOptions { strip: Some(strip), ..*options }, &slope);
 }
 
 /// Measures values at many points close to the given one, and a single value without a known strip.
-fn smooth(place: &Place, options: &AbelOptions<'_>, slope: impl Fn(Radii<'_>, &mut [f64])) {
+fn smooth(place: &Case, options: &AbelOptions<'_>, slope: impl Fn(Radii<'_>, &mut [f64])) {
     measure_as("alone", place, options, &slope);
     let near: Vec<f64> = (0..MANY).map(|i| place.x * (1.0 - WIDTH * i as f64 / MANY as f64)).collect();
     let transform = || AbelTransform::new(&slope, place.x, *options);
@@ -73,11 +73,11 @@ fn each(slope: impl Fn(f64) -> f64) -> impl Fn(Radii<'_>, &mut [f64]) {
     }
 }
 
-fn measure(place: &Place, options: &AbelOptions<'_>, slope: impl Fn(Radii<'_>, &mut [f64])) {
+fn measure(place: &Case, options: &AbelOptions<'_>, slope: impl Fn(Radii<'_>, &mut [f64])) {
     measure_as("closure", place, options, slope);
 }
 
-fn measure_as(form: &str, place: &Place, options: &AbelOptions<'_>, slope: impl Fn(Radii<'_>, &mut [f64])) {
+fn measure_as(form: &str, place: &Case, options: &AbelOptions<'_>, slope: impl Fn(Radii<'_>, &mut [f64])) {
     let call = || abel(&mut |at: Radii<'_>, out: &mut [f64]| slope(at, out), place.x, options).ok();
     let Some(found) = call() else { return };
     show(place, form, median_ns(call), found.value, found.evaluations);

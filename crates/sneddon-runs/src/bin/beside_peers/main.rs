@@ -20,7 +20,7 @@ const RADIUS: f64 = 3.0;
 const MANY: usize = 100;
 
 /// One place of `points.csv`.
-struct Place {
+struct Case {
     work: String,
     profile: String,
     x: f64,
@@ -28,7 +28,7 @@ struct Place {
     truth: (f64, f64),
 }
 
-impl Place {
+impl Case {
     fn error(&self, found: f64) -> f64 {
         ((found - self.truth.0) - self.truth.1).abs() / self.truth.0.abs()
     }
@@ -38,13 +38,13 @@ fn main() {
     let file = std::env::args().nth(1).expect("the file of points");
     let text = fs::read_to_string(&file).expect("the file of points");
     let number = |text: &str| text.parse::<f64>().expect("a number");
-    let places: Vec<Place> = text
+    let places: Vec<Case> = text
         .lines()
         .skip(1)
         .map(|line| {
             let cells: Vec<&str> = line.split(',').collect();
             let [work, profile, x, value, rest] = cells[..] else { panic!("{file}: {line}") };
-            Place { work: work.to_owned(), profile: profile.to_owned(), x: number(x), truth: (number(value), number(rest)) }
+            Case { work: work.to_owned(), profile: profile.to_owned(), x: number(x), truth: (number(value), number(rest)) }
         })
         .collect();
     for place in &places {
@@ -96,7 +96,7 @@ fn evaluator(solution: &Solution, method: Method) -> Evaluator<'_> {
 }
 
 /// One value by quadrature of the profile as typed; many values for pressures.
-fn pointwise(place: &Place, evaluator: &Evaluator<'_>) {
+fn pointwise(place: &Case, evaluator: &Evaluator<'_>) {
     let x = place.x;
     match place.work.split('@').next() {
         Some("force") => typed_call(place, || evaluator.force(x).ok().map(|own| (2.0 * own.estimate.value, own.estimate.evaluations))),
@@ -108,17 +108,17 @@ fn pointwise(place: &Place, evaluator: &Evaluator<'_>) {
     }
 }
 
-fn typed_call(place: &Place, call: impl Fn() -> Option<(f64, u64)>) {
+fn typed_call(place: &Case, call: impl Fn() -> Option<(f64, u64)>) {
     let Some((value, evaluations)) = call() else { return };
     show(place, "typed", median_ns(&call), value, evaluations);
 }
 
-fn show(place: &Place, form: &str, ns: f64, value: f64, evaluations: u64) {
+fn show(place: &Case, form: &str, ns: f64, value: f64, evaluations: u64) {
     line(&place.work, form, ns, place.error(value), evaluations);
 }
 
 /// The pressure curve of one contact, including the set-up time.
-fn pressures(place: &Place, evaluator: &Evaluator<'_>) {
+fn pressures(place: &Case, evaluator: &Evaluator<'_>) {
     let typed = evaluator.typed().expect("f′");
     let sum = |from: usize| -> Option<f64> {
         let curve = PressureCurve::new(typed, RADIUS).ok()?;
@@ -134,7 +134,7 @@ fn pressures(place: &Place, evaluator: &Evaluator<'_>) {
 }
 
 /// The whole curve of ln cosh at 10⁵ points, built beforehand like the plan of the other library.
-fn curve(places: &[Place]) {
+fn curve(places: &[Case]) {
     const POINTS: usize = 100_000;
     let solution = solution("ln_cosh");
     let evaluator = evaluator(&solution, Method::Quadrature);

@@ -22,7 +22,7 @@ const TELLING: f64 = 1e-6;
 const TOLERANCE: f64 = 1e-10;
 
 /// Numbers for the parameters at which terms are compared.
-pub(super) struct Place {
+pub(super) struct ParameterDraw {
     bindings: Bindings,
     names: Vec<Symbol>,
     values: Vec<f64>,
@@ -57,9 +57,9 @@ struct Radii {
     spare: Vec<f64>,
 }
 
-impl Place {
+impl ParameterDraw {
     /// Seeded admissible values; `None` if none were found.
-    pub(super) fn draw(names: Vec<Symbol>, limits: &[Expr], conditions: &[Condition], draw: u64) -> Option<Self> {
+    pub(super) fn seeded(names: Vec<Symbol>, limits: &[Expr], conditions: &[Condition], draw: u64) -> Option<Self> {
         let bindings = Sampler::new(0x6a7e + draw).admissible(&names, conditions)?;
         let number = |expr: &Expr| constant_value(expr, &bindings).map(|own| own.value).ok();
         let values = names.iter().map(|name| number(&Expr::from(name.clone()))).collect::<Option<Vec<_>>>()?;
@@ -111,8 +111,8 @@ impl Place {
     pub(super) fn recognition_holds(&self, chain: &Chain, slopes: &[Expr], solved: &[SolvedChain]) -> bool {
         let of = |interval: usize| {
             let own = |chain: &SolvedChain| {
-                let place = if chain.breakpoints.is_empty() { 0 } else { interval };
-                chain.intervals.get(place).map(|own| own.terms.iter().map(|solved| solved.term.f_prime()).collect::<Vec<_>>())
+                let index = if chain.breakpoints.is_empty() { 0 } else { interval };
+                chain.intervals.get(index).map(|own| own.terms.iter().map(|solved| solved.term.f_prime()).collect::<Vec<_>>())
             };
             solved.iter().filter_map(own).flatten().collect::<Vec<_>>()
         };

@@ -1,6 +1,6 @@
 //! Generates `docs/side-by-side.md`: the formulas of the source's chapter 3 beside the program's, their sizes and differences.
 
-use crate::chapter::{EQUATIONS, Equation, Ours, STEPS};
+use crate::chapter::{DERIVATION_STEPS, EQUATIONS, Equation, Ours};
 use crate::formulas::{formula, number, relative, typed, value};
 use crate::random::Stream;
 use sneddon::contact::{Edge, Quantity, TransverselyIsotropic, relations, rim_radius};
@@ -200,7 +200,7 @@ pub fn page(compared: &[Compared]) -> String {
     }
     compared.iter().for_each(|own| section(own, &mut text));
     text.push_str("\n## Definitions and intermediate steps\n");
-    for (number, latex, sentence) in STEPS {
+    for (number, latex, sentence) in DERIVATION_STEPS {
         let _ = writeln!(text, "\n### {number}\n\n```math\n{latex}\n```\n\n{sentence}");
     }
     text

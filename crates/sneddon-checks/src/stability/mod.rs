@@ -1,5 +1,7 @@
 //! Tests every rule at the limits of its domain against the reference values of `tests/oracle/extremes.py`.
 
+pub mod page;
+
 use crate::decimal::Decimal;
 use crate::formulas::{bindings, contact, derived_with};
 use crate::rows::rows;

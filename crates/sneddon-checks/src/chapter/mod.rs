@@ -1,5 +1,7 @@
 //! Equations of the source's chapter 3 that state a result, as printed and in the program's grammar, with what the program is asked for.
 
+pub mod side_by_side;
+
 use sneddon::contact::Quantity;
 
 /// An equation of the chapter and its counterpart.
@@ -285,7 +287,7 @@ pub const EQUATIONS: &[Equation] = &[
 ];
 
 /// Definitions and intermediate steps: number, LaTeX, and what the program has in their place.
-pub const STEPS: &[(&str, &str, &str)] = &[
+pub const DERIVATION_STEPS: &[(&str, &str, &str)] = &[
     (
         "(3.50)",
         r"F_N = 2E^{*} \int_0^a u_z(x)\,dx = 2E^{*} \int_0^a \left(d - \frac{x^2}{R} - \frac{\pi}{2} |x| \tan\theta\right) dx",
