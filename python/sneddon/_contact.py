@@ -40,7 +40,7 @@ class Contact:
     Every method takes numbers or arrays and broadcasts them; scalars give floats.
     ``with_bound=True`` returns a pair: values, and bounds of their errors; ``with_bound="ground"`` also returns what each bound
     rests on, ``"proven"`` or ``"estimated"``.
-    A pressure that is infinite by theory is infinite, with the bound 0.
+    A pressure that is theoretically infinite is infinite, with the bound 0.
 
     Examples
     --------

@@ -98,6 +98,15 @@ impl Failure {
         }
     }
 
+    /// Creates an error for the value of an option, which was read in the units of a scene.
+    pub(super) fn argument(option: &str, value: &str, error: &SceneError) -> Self {
+        let failure = Self::new(error.to_string()).at(option, value, 0..value.len());
+        match error.accepted() {
+            Some(help) => failure.help(help),
+            None => failure,
+        }
+    }
+
     /// Creates an error for a profile that was parsed, but whose result cannot be computed.
     pub(super) fn profile(text: &str, error: &ContactError) -> Self {
         let about_profile = match error {
@@ -290,7 +299,8 @@ fn usage(error: &clap::Error) -> Failure {
     let argument = context(ContextKind::InvalidArg);
     let suggestion = |kind| match context(kind) {
         meant if meant.is_empty() => String::new(),
-        meant => format!("did you mean {meant}? "),
+        // `help` is near to any short word.
+        meant => format!("did you mean {}? ", meant.replacen("help, ", "", 1)),
     };
     let options = "run with --help for the list of options";
     match error.kind() {

@@ -168,12 +168,13 @@ impl Settings {
                     [only] => format!("it has {only}"),
                     many => format!("it has {}", many.iter().map(Symbol::name).collect::<Vec<_>>().join(", ")),
                 };
-                let help = if name.trim() == "E" {
-                    "E is the effective modulus, and not a parameter of the shape; generated functions have it as an argument"
-                } else {
-                    form
-                };
-                return Err(Failure::new(format!("the profile has no parameter {}; {own}", name.trim())).help(help));
+                let failure = Failure::new(format!("the profile has no parameter {}; {own}", name.trim()));
+                return Err(match name.trim() {
+                    "E" => failure
+                        .help("E is the effective modulus, and not a parameter of the shape; generated functions have it as an argument"),
+                    _ if parameters.is_empty() => failure,
+                    _ => failure.help(form),
+                });
             };
             if settings.iter().any(|known| known.symbol == symbol) {
                 return Err(Failure::new(format!("{symbol} is set twice")).help("remove one of the two settings"));
@@ -189,7 +190,9 @@ impl Settings {
                 ));
             }
             if value >= FRAC_PI_2 && dimension.is_none() && typed.formula.expressions().into_iter().any(|expr| has_angle(expr, &symbol)) {
-                warn(&format!("{symbol} = {} is not below 90 deg; a number without a unit is in radians", text.trim()));
+                let bare = text.trim().parse::<f64>().is_ok();
+                let unit = if bare { "; a number without a unit is in radians" } else { "" };
+                warn(&format!("{symbol} = {} is not below 90 deg{unit}", text.trim()));
             }
             settings.push(Setting { symbol, exact, value, dimension });
         }

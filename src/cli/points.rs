@@ -9,7 +9,7 @@ use crate::scene::{Dimension, Loads, Steps};
 /// Maximum number of points.
 const MOST_POINTS: usize = 1_000_000;
 
-const ACCEPTED: &str = "expected numbers such as 0.1,0.5, a range start:stop:count, or log:start:stop:count";
+const ACCEPTED: &str = "expected numbers with commas between them, such as 0.1,0.5, a range start:stop:count, or log:start:stop:count";
 
 /// Parses a list of points; each must be a finite number of this dimension, at least 0.
 pub fn read(list: &str, units: &CallUnits, dimension: Dimension) -> Result<Vec<f64>, Failure> {
@@ -31,6 +31,7 @@ pub fn read(list: &str, units: &CallUnits, dimension: Dimension) -> Result<Vec<f
         let parts: Vec<&str> = item.split(':').collect();
         match parts.as_slice() {
             [blank] if blank.trim().is_empty() => return Err(bad("a number is missing".to_owned())),
+            [only] if only.contains(';') || numbers_apart(only) => return Err(bad(format!("{} is not one number", only.trim()))),
             [only] => points.push(number(only)?),
             [first, last, count] => points.extend(range([first, last], counted(count, points.len()).map_err(bad)?, false)?.iter()),
             ["log", first, last, count] => {
@@ -44,6 +45,11 @@ pub fn read(list: &str, units: &CallUnits, dimension: Dimension) -> Result<Vec<f
         start += item.len() + 1;
     }
     Ok(points)
+}
+
+/// Returns true if a text has several numbers with white space between them.
+fn numbers_apart(text: &str) -> bool {
+    text.split_whitespace().filter(|own| own.starts_with(|first: char| first.is_ascii_digit() || first == '.')).count() > 1
 }
 
 /// Parses the number of points in a range; `already` is the number of points before it.

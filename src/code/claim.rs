@@ -106,7 +106,8 @@ fn text(program: &Program, claim: Claim, quantity: Quantity) -> Vec<String> {
     let (from, to) = claim.range;
     let coordinate = if quantity == Quantity::Pressure || is_of_depth(quantity) { "a" } else { quantity.coordinate() };
     let to = if to.is_finite() { at_most(to) } else { "the end of the domain".to_owned() };
-    let parameters = if program.parameters.is_empty() { "" } else { " and parameters between 1/4 and 4 in any unit of length" };
+    let parameters =
+        if program.parameters.is_empty() { "" } else { " and parameters between 1/4 and 4, all in one unit of length, which may be any" };
     let mut lines = vec![format!(
         "Accuracy: at most {} ulp{times} for {coordinate} from {from:.0e} to {to}{parameters}, for {}.",
         claim.ulps,

@@ -285,11 +285,11 @@ fn quadratic(expanded: &Expr, radius: &Symbol) -> Option<(Vec<Expr>, bool)> {
 
 /// Most kinks that are located numerically.
 const MOST_LOCATED: usize = 64;
-/// Kinks that are a wave, …
+/// This many kinks are treated as a wave if their shortest distance has at least [`FINE`] steps of the scan.
 const WAVE: usize = 4;
-/// … whose shortest distance has at least this many steps of the scan …
+/// The fewest steps of the scan in the shortest distance of the kinks of a wave.
 const FINE: f64 = 8.0;
-/// … until this many of its lengths have none.
+/// A wave ends where this many of its lengths contain no kink.
 const EXPECTED: f64 = 8.0;
 
 /// The decades of r that are searched for kinks.

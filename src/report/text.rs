@@ -27,7 +27,11 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
     writeln!(out, "with {}", given.join(", "))?;
     if let Some(shift) = &record.shift {
         let (exact, value) = (print::text_expr(&shift.expr), number(shift.value));
-        let value = if exact == value { value } else { format!("{exact} = {value}") };
+        let value = match shift.value {
+            0.0 => format!("{exact}, which is below the range of doubles,"),
+            _ if exact == value => value,
+            _ => format!("{exact} = {value}"),
+        };
         writeln!(out, "f(0) = {} is subtracted, so that f starts at 0", with_unit_name(value, &units.at))?;
     }
     writeln!(out)?;

@@ -141,12 +141,12 @@ impl System {
                 Err(SceneError::unit(format!("{what} is given in {unit}, which is {own}, not {wanted}")).help(if wanted.is_none() {
                     "expected a number without a unit".to_owned()
                 } else {
-                    format!("expected a number with a unit of {wanted}")
+                    format!("expected {wanted} with its unit, as in {}", example(wanted))
                 }))
             }
             None if self.has_units && !wanted.is_none() && !quantity.is_zero() => {
                 Err(SceneError::unit(format!("{what} has no unit, but other numbers of the scene have one"))
-                    .help(format!("add a unit of {wanted}, as in {}", example(wanted))))
+                    .help(format!("add a unit, as in {}", example(wanted))))
             }
             Some(_) => Ok(self.own(quantity.in_base(), wanted)),
             None => Ok(quantity.in_base()),
@@ -213,11 +213,20 @@ impl System {
     }
 }
 
-fn example(dimension: Dimension) -> &'static str {
+fn example(dimension: Dimension) -> String {
     match dimension {
-        own if own == Dimension::LENGTH => "\"250 nm\"",
-        own if own == Dimension::FORCE => "\"3 uN\"",
-        own if own == Dimension::PRESSURE => "\"72 GPa\"",
-        _ => "\"0.1 um^-0.5\"",
+        own if own == Dimension::LENGTH => "\"250 nm\"".to_owned(),
+        own if own == Dimension::FORCE => "\"3 uN\"".to_owned(),
+        own if own == Dimension::PRESSURE => "\"72 GPa\"".to_owned(),
+        own => {
+            let (length, force) = own.exponents();
+            let power = |unit: &str, exponent: &Expr| match exponent.as_number()?.to_f64() {
+                0.0 => None,
+                1.0 => Some(unit.to_owned()),
+                other => Some(format!("{unit}^{other}")),
+            };
+            let units: Vec<String> = [power("uN", &force), power("um", &length)].into_iter().flatten().collect();
+            format!("\"0.1 {}\"", units.join("*"))
+        }
     }
 }

@@ -26,7 +26,7 @@ pub struct Row {
     pub honest: Option<bool>,
     /// Time for one point, without the set-up.
     pub time: Time,
-    /// Nanoseconds from the profile to the first value: the median of three.
+    /// Nanoseconds from the profile to the first value: the median of up to three runs.
     pub set_up: f64,
     /// Evaluations of f′ per point, or springs.
     pub evaluations: f64,
@@ -66,7 +66,7 @@ impl Skipped {
     }
 }
 
-/// The target duration of one batch.
+/// The target duration of one batch in nanoseconds.
 const BATCH: f64 = 1e6;
 /// Times that a set-up is run, and rounds that every candidate takes.
 const AT_LEAST: usize = 3;

@@ -341,9 +341,10 @@ impl Sums {
             columns.push(column);
             match self.force.total() {
                 Some((data, sum, radius)) => columns.push(self.integrated(exact, (data, sum, radius), pixel, judge)),
-                None => {
-                    notes.push("the force of the pressures is not judged, since points of the lattice are missing or repeated".to_owned())
-                }
+                None => notes.push(
+                    "the force of the pressures is not judged, since it needs the pressures at all points of a lattice, each once"
+                        .to_owned(),
+                ),
             }
         }
         let unit = |kind: Kind| units::shown(kind.symbol(), &survey.unit(kind, scene));

@@ -209,10 +209,10 @@ fn sentence(column: &str, finest: &[Column], convergence: &Convergence) -> Strin
     let names = |list: &mut dyn Iterator<Item = &Column>| list.map(|own| own.name).collect::<Vec<_>>().join(", ");
     let reported = names(&mut finest.iter().filter(|own| own.passed.is_none()));
     match convergence {
-        Convergence::One if reported.is_empty() => format!("every column is within its tolerance{shown}"),
         Convergence::One => {
             let within = names(&mut judged.map(|own| own.0));
-            format!("within the tolerance: {within}{shown}; not judged: {reported}")
+            let rest = if reported.is_empty() { String::new() } else { format!("; not judged: {reported}") };
+            format!("within the tolerance: {within}{shown}{rest}")
         }
         Convergence::Shrinks(own) => {
             let floor = own.floor.map_or(String::new(), |own| format!("; below {own:.1e} refinement has no effect"));

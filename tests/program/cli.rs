@@ -57,6 +57,9 @@ fn profiles_that_are_none() {
     let signs = format!("{}r", "-".repeat(5000));
     let cases: &[(&str, &[&str])] = &[
         ("r^", &["column 3", "unexpected end", "| r^\n  |   ^\n", "help:"]),
+        ("y = r^2", &["column 3", "'=' is not allowed", "right-hand side"]),
+        ("piecewise((0, r<b), (r-b, True))", &["column 13", "write piecewise(v0, r<b, v1)"]),
+        ("piecewise(0, r>b, r-b)", &["column 14", "upper bound of its variable"]),
         ("foo(r)", &["column 1", "unknown function foo", "\n  | ^^^\n", "help:"]),
         ("r^2/0", &["column 5", "divisor is 0", "\n  |     ^\n"]),
         ("2r", &["column 2", "operator is missing", "2*r"]),
@@ -83,6 +86,7 @@ fn profiles_that_are_none() {
         }
     }
     refused(b"", &["eval", "0", "--quantity", "F", "--at", "1"], &["flat", "--depth"]);
+    refused(b"", &["eval", "0", "--quantity", "F_of_d", "--at", "1"], &["F(d) of a flat punch depends on the radius of its rim"]);
 }
 
 #[test]
@@ -140,6 +144,8 @@ fn settings_that_are_none() {
 #[test]
 fn points_that_are_none() {
     let eval = |list: &str, parts: &[&str]| refused(b"", &["eval", "r^2", "--quantity", "g", "--at", list], parts);
+    eval("1 2", &["column 1", "1 2 is not one number", "commas between them"]);
+    eval("0.5,1;2", &["column 5", "1;2 is not one number", "commas between them"]);
     eval("", &["--at is empty", "start:stop:count"]);
     eval("-1", &["negative", "^^"]);
     eval("nan", &["nan"]);

@@ -56,6 +56,52 @@ fn energy_and_stiffness_are_read() {
     }
 }
 
+/// The unit of a mapped column is that of the symbol, or else that of its name.
+#[test]
+fn mapped_columns_keep_their_units() {
+    let place = room("mapped");
+    let scene = "[profile]\nf = \"r^2/(2*R)\"\nparameters = { R = \"10 um\" }\n[material]\neffective_modulus = \"1 GPa\"\n";
+    // With lengths in um and E* = 1 GPa, forces are in mN.
+    let row = |index: i32| {
+        let d = 1e-3 * f64::from(index);
+        format!("{index},{d:?},{:?}\n", 4.0 / 3.0 * 10f64.sqrt() * d.powf(1.5))
+    };
+    let rows: String = (3..12).map(row).collect();
+    for (header, map, expected) in [
+        ("step,h_um,L_mN", ["d=h_um", "F=L_mN"], 0),
+        ("step,h [um],L / mN", ["d=h [um]", "F=L / mN"], 0),
+        ("step,h_mm,L_N", ["d_um=h_mm", "F_mN=L_N"], 0),
+        ("step,h_um,L_N", ["d=h_um", "F=L_N"], 1),
+    ] {
+        fs::write(place.join("data.csv"), format!("{header}\n{rows}")).unwrap();
+        let options = map.iter().flat_map(|own| ["--map", *own]).collect::<Vec<_>>();
+        let (code, document) = validated(&place, scene, &["data.csv".to_owned()], &options);
+        assert_eq!(code, expected, "{header}: {document:#}");
+    }
+}
+
+/// An error of an option is at the option, and not in the scene.
+#[test]
+fn errors_of_options_are_not_placed_in_the_scene() {
+    let place = room("options");
+    let scene = "[profile]\nf = \"r^2/(2*R)\"\nparameters = { R = \"10 um\" }\n[material]\neffective_modulus = \"1 GPa\"\n[load]\ndepth = \"1 nm\"\n";
+    fs::write(place.join("scene.toml"), scene).unwrap();
+    fs::write(place.join("data.csv"), "r_um,p_MPa\n0,1\n").unwrap();
+    let cases: [(&[&str], &str); 6] = [
+        (&["validate", "scene.toml", "data.csv", "--box", "8"], "--box, column 1: the box has no unit"),
+        (&["validate", "scene.toml", "data.csv", "--load", "d=1 GPa"], "--load, column 1: "),
+        (&["validate", "scene.toml", "data.csv", "--load", "z=1"], "--load, column 1: \"z=1\" is not a load"),
+        (&["reference", "scene.toml", "--grid", "1:2"], "--grid, column 1: "),
+        (&["reference", "scene.toml", "--grid", "0:2:11"], "--grid, column 1: 2 has no unit"),
+        (&["reference", "scene.toml", "--grid", "8", "--box", "8"], "--box, column 1: the box has no unit"),
+    ];
+    for (arguments, message) in cases {
+        let done = Command::new(env!("CARGO_BIN_EXE_sneddon")).current_dir(&place).args(arguments).output().unwrap();
+        let error = String::from_utf8(done.stderr).unwrap();
+        assert!(done.status.code() == Some(2) && error.contains(message), "{arguments:?}: {error}");
+    }
+}
+
 /// A rectangle, a stack of one field per load, and an array that `--map` names by its number.
 #[test]
 fn fields_of_every_shape_are_read() {

@@ -28,7 +28,7 @@ pub struct Tally {
     pub scenes: usize,
     /// Rows that were judged invalid; the laws still hold formally.
     pub invalid: usize,
-    /// Scenes without a state, or numbers without digits.
+    /// Scenes without a state, or numbers without a reliable digit.
     pub refused: usize,
     /// Per law: how often it was tested, and the largest deviation.
     pub laws: [(usize, f64); LAWS.len()],
@@ -180,7 +180,7 @@ fn panels(edges: &[f64], end: f64, value: impl Fn(Point) -> f64) -> Option<f64> 
     };
     match integrate(&mut inside, &list, &options) {
         Ok(found) => Some(found.value),
-        // Noise of the values may keep a law's quadrature from its tolerance, which is sharper than the law's.
+        // Noise of the values may keep a law's quadrature from its tolerance, which is at most that of the law.
         Err(NumError::ToleranceNotReached { value, error, .. } | NumError::EvaluationLimit { value, error, .. })
             if error < 1e-7 * value.abs() =>
         {
@@ -215,7 +215,7 @@ fn superposed(drawn: &Drawn, first: &Scene, state: &State, tally: &mut Tally, sa
     }
 }
 
-/// A few hundred springs: the error of their sum falls with the square of the spacing, and at the edge with its power 3/2.
+/// A few hundred springs: the error of their sum falls with the square of the spacing and, because of the edge, with the power 3/2 of the spacing.
 fn springs(g: &impl Fn(f64) -> f64, reach: f64, state: &State, modulus: f64, tally: &mut Tally, said: &impl Fn() -> String) {
     if let Ok(foundation) = SpringFoundation::new(g, reach, 600, modulus) {
         let found = foundation.indent(state.depth);

@@ -192,8 +192,9 @@ impl State {
         if floor <= ceiling { x.clamp(floor, ceiling) } else { self.middle() }
     }
 
-    /// Inverse quadratic interpolation where Chandrupatla's criterion (1997) holds, else a secant if
-    /// that stays in the middle part: as a fraction of the way from the newest point to the other.
+    /// The next point as a fraction of the way from the newest point to the other: by inverse quadratic interpolation where
+    /// Chandrupatla's criterion (1997) holds, and by the secant while only two points are known. Returns `None` where the criterion
+    /// fails and where the point is outside the bracket.
     fn share(&self) -> Option<f64> {
         let (a, b, c) = (self.newest, self.other, self.previous);
         let share = if c.x == b.x || c.x == a.x {

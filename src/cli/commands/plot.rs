@@ -16,7 +16,7 @@ use clap::{Arg, Command, ValueEnum};
 use std::ffi::OsStr;
 use std::path::Path;
 
-/// Plots quantities over the depth, and fields over the radius at the largest load.
+/// Plots quantities against depth, and fields against radius at the largest load.
 ///
 /// All parameters of a profile need a value; its contact radius runs from 0 to --radius.
 /// The load of a scene runs from 0 to its largest value. Several profiles or scenes share the same axes.
@@ -94,7 +94,7 @@ fn is_scene(subject: &str) -> bool {
 
 /// Checks whether `plot` supports a quantity.
 fn drawn(quantity: Quantity) -> Result<(), &'static str> {
-    if quantity.kind() == Kind::Inverse { Err("plot draws quantities over the depth; expected F, a or d") } else { Ok(()) }
+    if quantity.kind() == Kind::Inverse { Err("plot draws quantities against depth; expected F, a or d") } else { Ok(()) }
 }
 
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {

@@ -82,7 +82,11 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             let source = validate::source(path)?;
             points(&source, &scene).map_err(|error| validate::failure(&name, &text, &error))?
         }
-        (None, Some(own), _) => Grid::parse(own, arguments.side.as_deref(), arguments.between, &scene).map_err(failed)?,
+        (None, Some(own), _) => {
+            let length = |text: &String| scene.length("the box", text).map_err(|error| Failure::argument("--box", text, &error));
+            let side = arguments.side.as_ref().map(length).transpose()?;
+            Grid::parse(own, side, arguments.between, &scene).map_err(|error| Failure::argument("--grid", own, &error))?
+        }
         (None, None, Some(own)) => own.checked().map_err(failed)?,
         (None, None, None) if !scene.outputs.at.is_empty() => Grid::Radial(scene.outputs.at.clone()).checked().map_err(failed)?,
         (None, None, None) => {

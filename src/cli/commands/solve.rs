@@ -162,7 +162,8 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let (invalid, rows) = verdict.counts();
     let first = verdict.findings().iter().find(|(own, _)| own.severity == crate::contact::Severity::Error);
-    warn(&format!("{invalid} of {rows} rows are not valid{}", first.map_or_else(String::new, |(own, _)| format!(": {}", own.message))));
+    let verb = if rows == 1 { "row is" } else { "rows are" };
+    warn(&format!("{invalid} of {rows} {verb} not valid{}", first.map_or_else(String::new, |(own, _)| format!(": {}", own.message))));
     Ok(Outcome::Failed)
 }
 

@@ -114,18 +114,18 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let scene = scene_for_data(&text, &Change::None).map_err(failed)?;
     let scene = tip::with_points(scene, &arguments.scene, failed)?;
     let mut scene = match &arguments.load {
-        Some(text) => scene.under(text).map_err(failed)?,
+        Some(text) => scene.under(text).map_err(|error| Failure::argument("--load", text, &error))?,
         None => scene,
     };
     let (radii, pixels): (Vec<&String>, Vec<&String>) = arguments.grid.iter().partition(|own| own.contains(':'));
     for text in &radii {
-        if let Grid::Radial(own) = Grid::parse(text, None, false, &scene).map_err(failed)? {
+        if let Grid::Radial(own) = Grid::parse(text, None, false, &scene).map_err(|error| Failure::argument("--grid", text, &error))? {
             scene.outputs.at = own;
         }
     }
     let grid = pixels.into_iter().map(|own| pixels_along_a_side(own)).collect::<Result<Vec<f64>, Failure>>()?;
     if let Some(text) = &arguments.side {
-        let side = scene.length("box", text).map_err(failed)?;
+        let side = scene.length("the box", text).map_err(|error| Failure::argument("--box", text, &error))?;
         let data = scene.data.take().unwrap_or_else(Declared::nothing);
         scene.data = Some(Declared { side: Some(side), ..data });
     }

@@ -113,7 +113,7 @@ quantities! {
     },
     /// G(x) = ∫₀ˣ g.
     Integral => Record {
-        title: "integral of g from 0 to x",
+        title: "integral of the equivalent profile",
         formula: Some(|all| Some(all.integral())),
         ..shape("G", "G(x)", "x", Dimension::AREA, |contact, x, _| contact.integral(x).map(Ok))
     },

@@ -24,13 +24,13 @@ const LEAST: f64 = 1e-290;
 const AT_AXIS: f64 = 1e-4;
 /// Relative distance from the end of a bounded profile at which a proof ends.
 const LAST: f64 = 8.0 * f64::EPSILON;
-/// Relative distances from the end between which f′ may grow …
+/// Relative distances from the end between which f′ may grow by at most the factor [`GROWTH`].
 const NEAR_END: [f64; 2] = [1e-6, 1e-9];
-/// … by this factor at most.
+/// The largest growth of f′ between the distances [`NEAR_END`] from the end.
 const GROWTH: f64 = 4.0;
 /// Ratio of x to the smallest radius from which on the bounds on f′ are summed by parts.
 const NEAR: f64 = 8.0;
-/// Slopes below minus this one count as this one.
+/// Upper bounds on f′ below minus this number are raised to it.
 const LARGEST: f64 = 1e100;
 /// Bound on the rounding error of a sum, relative to the sum of the magnitudes.
 const ROUNDING: f64 = 1e-12;

@@ -13,7 +13,7 @@ const FAST: f64 = 1.0;
 /// the sum of a number and a product, and 1 for the multiplication.
 const PER_FACTOR: f64 = 4.0;
 
-/// The distances to both ends of a range, in parts of the complex plane.
+/// The distances to both ends of a range, as regions of the complex plane.
 #[derive(Clone, Copy)]
 pub(crate) struct EndDistances {
     pub(crate) from_lower: Region,

@@ -1,4 +1,4 @@
-//! The curves of contacts: quantities over the load, and fields over the radius at the largest load.
+//! The curves of contacts: quantities against the load, and fields against the radius at the largest load.
 
 use super::{Line, Panel, Picture};
 use crate::contact::{Kind, Quantity, State};
@@ -8,7 +8,7 @@ use std::f64::consts::FRAC_PI_2;
 /// The items that can be plotted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pictured {
-    /// A quantity over the depth, or the depth over the contact radius, or a field at the largest load.
+    /// A quantity against the depth, or the depth against the contact radius, or a field at the largest load.
     Quantity(Quantity),
     /// The tip in the deformed surface.
     Section,
@@ -100,7 +100,7 @@ impl Pictured {
     }
 }
 
-/// Returns a quantity over the depth, or the depth over the contact radius, for the valid loads.
+/// Returns a quantity against the depth, or the depth against the contact radius, for the valid loads.
 fn over_loads(rows: &[Row], datum: Quantity) -> Vec<(f64, f64)> {
     let abscissa = if datum == Quantity::Depth { Quantity::Radius } else { Quantity::Depth };
     let point = |row: &Row| {

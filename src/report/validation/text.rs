@@ -1,6 +1,6 @@
 //! A validation as text.
 
-use crate::validate::{Column, Validation};
+use crate::validate::{Column, FileReport, Validation};
 use std::io::{self, Write};
 
 /// Writes the verdict, the reason, the suspected fault, and one table per file.
@@ -26,8 +26,14 @@ pub fn text(own: &Validation, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "\n{}: {} {rows}{grid}{pixel}", file.name, file.rows)?;
         writeln!(
             out,
-            "  {:8} {:>10} {:>10} {:>10} {:>12} {:>11} {:>7}  verdict",
-            "column", "L1", "L2", "max", "worst at", "tolerance", "rows"
+            "  {:8} {:>10} {:>10} {:>10} {:>15} {:>11} {:>7}  verdict",
+            "column",
+            "L1",
+            "L2",
+            "max",
+            worst_at(file),
+            "tolerance",
+            "rows"
         )?;
         for column in &file.columns {
             let tolerance = match (column.pixels, column.tolerance) {
@@ -37,7 +43,7 @@ pub fn text(own: &Validation, out: &mut dyn Write) -> io::Result<()> {
             };
             writeln!(
                 out,
-                "  {:8} {:>10} {:>10} {:>10} {:>12.5e} {tolerance:>11} {:>7}  {}",
+                "  {:8} {:>10} {:>10} {:>10} {:>15.5e} {tolerance:>11} {:>7}  {}",
                 column.name,
                 norm(column.l1),
                 norm(column.l2),
@@ -49,7 +55,7 @@ pub fn text(own: &Validation, out: &mut dyn Write) -> io::Result<()> {
             if let Some(left) = column.excluded {
                 writeln!(
                     out,
-                    "  {:8} {:>10} {:>10.3e} {:>10.3e} {:>12} {:>11} {:>7}  near apex, kink or edge, listed separately",
+                    "  {:8} {:>10} {:>10.3e} {:>10.3e} {:>15} {:>11} {:>7}  near apex, kink or edge, listed separately",
                     "", "", left.l2, left.max, "", "-", left.rows
                 )?;
             }
@@ -59,6 +65,12 @@ pub fn text(own: &Validation, out: &mut dyn Write) -> io::Result<()> {
         }
     }
     own.notes.iter().map(String::as_str).chain(own.cut_short).try_for_each(|note| writeln!(out, "note: {note}"))
+}
+
+/// Returns the title of the column of coordinates, with their unit if they have one.
+fn worst_at(file: &FileReport) -> String {
+    let unit = file.plots.first().and_then(|own| own.across.split_once(" / "));
+    unit.map_or_else(|| "worst at".to_owned(), |(_, unit)| format!("worst at ({unit})"))
 }
 
 /// Returns an error relative to exact values, or "-" where all of them are 0.

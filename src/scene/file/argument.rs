@@ -29,7 +29,7 @@ impl Scene {
         } else {
             "expected d, F or a with its value, such as d=0.4, F=2 or a=1"
         };
-        let unknown = || SceneError::value(format!("load {text:?} is not a load")).help(help);
+        let unknown = || SceneError::value(format!("{text:?} is not a load")).help(help);
         let (name, value) = text.split_once('=').ok_or_else(unknown)?;
         let (control, dimension) = match name.trim() {
             "d" | "depth" => (Control::Depth, Dimension::LENGTH),

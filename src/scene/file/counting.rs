@@ -43,13 +43,10 @@ impl Counting {
     pub fn number(&self, name: &str, quantity: &DimensionedNumber, wanted: Dimension) -> Result<Expr, SceneError> {
         match quantity.dimension() {
             None if !self.has_units() || wanted.is_none() || quantity.is_zero() => Ok(quantity.in_base()),
-            None => Err(SceneError::unit(format!("{name} = {} has no unit, but other numbers have one", quantity.text())).help(format!(
-                "add a unit, such as \"{} {}\"",
-                quantity.text(),
-                self.example(wanted)
-            ))),
+            None => Err(SceneError::unit(format!("{name} = {} has no unit, but other numbers have one", quantity.text()))
+                .help(self.with_modulus(wanted, &format!("add a unit, such as \"{} {}\"", quantity.text(), self.example(wanted))))),
             Some(own) if own != wanted => Err(SceneError::unit(format!("{name} = {} is {own}, not {wanted}", quantity.text()))
-                .help(format!("expected a number with a unit such as {}", self.example(wanted)))),
+                .help(self.with_modulus(wanted, &format!("expected a number with a unit such as {}", self.example(wanted))))),
             Some(_) => self.own(name, quantity),
         }
     }
@@ -118,13 +115,23 @@ impl Counting {
         self.known_name(power, symbol).unwrap_or(product)
     }
 
+    /// Completes the advice to add a unit; a unit of force or pressure requires that the effective modulus has one.
+    fn with_modulus(&self, wanted: Dimension, advice: &str) -> String {
+        if self.pressure.is_some() || wanted.exponents().1.is_zero() {
+            return advice.to_owned();
+        }
+        format!("{advice}; the effective modulus needs a unit as well, such as \"70 GPa\"")
+    }
+
     /// Returns an example of a unit of a dimension, for help lines.
     fn example(&self, wanted: Dimension) -> String {
         match self.name(wanted) {
             name if name.is_empty() && wanted == Dimension::FORCE => "mN".to_owned(),
             name if name.is_empty() && wanted == Dimension::PRESSURE => "GPa".to_owned(),
             name if name.is_empty() => "um".to_owned(),
-            name if name == "E*" => "GPa".to_owned(),
+            // Input cannot contain E*, which is the unit of output without a unit of pressure.
+            name if name.starts_with("E*") && wanted == Dimension::FORCE => "mN".to_owned(),
+            name if name.starts_with("E*") => "GPa".to_owned(),
             name => name,
         }
     }

@@ -22,10 +22,9 @@ pub(in crate::scene) fn parsed(text: &str) -> Result<Spanned<DeTable<'_>>, Scene
     }
     DeTable::parse(text).map_err(|error| {
         let message = error.message().trim().replace('\n', "; ");
-        let fault = |message| {
-            SceneError::new(Reason::Syntax(message))
-                .help("expected a scene file, and data only after it; `sneddon scene new sphere` creates an example")
-        };
+        let fault = |message: String, help: &str| SceneError::new(Reason::Syntax(message)).help(help);
+        let example = "expected a scene file, and data only after it; `sneddon scene new sphere` creates an example";
+        let quoted = "put formulas and numbers with units in quotes, as in R = \"5 um\"";
         // Do not quote a file that is not a scene; it may be confidential.
         let opens = |line: &str, table: &str| {
             let rest = line.trim_start().strip_prefix('[').and_then(|own| own.strip_prefix(table));
@@ -33,12 +32,12 @@ pub(in crate::scene) fn parsed(text: &str) -> Result<Spanned<DeTable<'_>>, Scene
         };
         let is_scene = text.lines().any(|line| TABLES.iter().any(|table| opens(line, table)));
         match error.span() {
-            Some(span) if is_scene => fault(message).at(span),
+            Some(span) if is_scene => fault(message.clone(), if message.contains("quoted") { quoted } else { example }).at(span),
             Some(span) => {
                 let line = text.get(..span.start).unwrap_or(text).matches('\n').count() + 1;
-                fault(format!("{message}, in line {line}"))
+                fault(format!("{message}, in line {line}"), example)
             }
-            None => fault(message),
+            None => fault(message, example),
         }
     })
 }

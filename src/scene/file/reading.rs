@@ -154,7 +154,7 @@ impl Asked {
             let text = typed.0.text();
             if value < 0.0 {
                 let reason = if self.control == Control::Force { ": adhesion is not supported" } else { "" };
-                return fault(format!("{name} = {text} is negative{reason}"), "expected numbers of at least 0");
+                return fault(format!("{name} = {text} is negative{reason}"), "expected 0 or a positive number");
             }
             if self.control == Control::ContactRadius && rim == Some(value) {
                 let message = format!("{name} = {text} is the radius of the indenter, which the contact has at every depth above g(c)");
@@ -175,7 +175,7 @@ impl Asked {
                 let at = typed.numbers(&scene.system, Dimension::LENGTH, key)?;
                 if at.extremes().is_some_and(|(low, _)| low < 0.0) {
                     let message = format!("{key} contains a negative {place}");
-                    return Err(SceneError::value(message).help("expected numbers of at least 0").at(typed.span()));
+                    return Err(SceneError::value(message).help("expected 0 or a positive number").at(typed.span()));
                 }
                 Ok((at, typed.shown(&scene.system, Dimension::LENGTH)?))
             }

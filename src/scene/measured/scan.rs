@@ -29,7 +29,7 @@ const ROUNDING: f64 = 1e-11;
 /// Minimum number of radii at which both sides can be compared.
 const FEWEST: usize = 3;
 
-/// Centres a scan and averages its sides; heights are relative to the lowest radius.
+/// Centres a scan and averages its sides.
 ///
 /// # Errors
 /// [`SceneError`] if the apex is not inside the scan.
@@ -88,7 +88,7 @@ impl Scan {
     const NONE: Self = Self { apex_offset: 0.0, tilt: 0.0, asymmetry: 0.0 };
 }
 
-/// Returns both sides of a scan with increasing radii.
+/// Both sides of a scan with increasing radii.
 struct Sides {
     near: Points,
     far: Points,

@@ -108,33 +108,30 @@ impl Grid {
         }
     }
 
-    /// Parses a grid: `64`, the number of points along the side of a box, or radii such as `0:2 um:101`, as start:stop:count.
+    /// Parses a grid: `64`, the number of points along the side of a box in computing units (that of `[data]` by default), or radii such as `0:2 um:101`, as start:stop:count.
     ///
     /// # Errors
     /// [`SceneError`] with the expected form.
-    pub fn parse(text: &str, side: Option<&str>, between: bool, scene: &Scene) -> Result<Self, SceneError> {
+    pub fn parse(text: &str, side: Option<f64>, between: bool, scene: &Scene) -> Result<Self, SceneError> {
         let help = "expected 64 with a box, or start:stop:count such as \"0:2 um:101\"";
         let fault = || SceneError::value(format!("cannot parse the grid {text:?}")).help(help);
-        let length = |own: &str, what: &str| {
+        let length = |own: &str| {
             let quantity = DimensionedNumber::parse(own)?;
             if !scene.system.has_units() && quantity.unit().is_some() {
                 return Err(SceneError::unit(format!("{} has a unit, but the numbers of the scene have none", own.trim()))
                     .help("expected a number without a unit, in the length unit of the scene"));
             }
-            to_double_double(&scene.system.exact(&quantity, Dimension::LENGTH, what)?)
+            to_double_double(&scene.system.exact(&quantity, Dimension::LENGTH, own.trim())?)
         };
         let count = |own: &str| own.trim().parse::<usize>().map_err(|_| fault());
         let grid = match text.split(':').collect::<Vec<_>>().as_slice() {
             [only] => {
                 let count = count(only)?;
                 let declared = scene.data.as_ref().and_then(|own| own.side);
-                let side = side.map(|own| length(own, "the box")).transpose()?.map(|own| own.value()).or(declared);
                 let missing = || SceneError::missing("the grid has no box").help("expected the side of the domain, such as \"8 um\"");
-                Self::Square { side: side.ok_or_else(missing)?, count, between }
+                Self::Square { side: side.or(declared).ok_or_else(missing)?, count, between }
             }
-            [start, stop, number] => {
-                Self::Radial(Loads::Range(Steps::new(length(start, "the grid")?, length(stop, "the grid")?, count(number)?, false)))
-            }
+            [start, stop, number] => Self::Radial(Loads::Range(Steps::new(length(start)?, length(stop)?, count(number)?, false))),
             _ => return Err(fault()),
         };
         grid.checked()

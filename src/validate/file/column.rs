@@ -133,6 +133,28 @@ pub(in crate::validate) enum Reading {
     Unknown,
 }
 
+/// Parses the symbol that a column with another name is mapped to, with the unit of the symbol or else of the name: `d` for `h_um` is in
+/// micrometres.
+pub(in crate::validate) fn read_mapped(symbol: &str, name: &str, index: usize) -> Reading {
+    let own = read(symbol, index);
+    match &own {
+        Reading::Known(column) if column.unit.is_none() => {
+            let with_unit = |(_, unit): (&str, &str)| match read(&format!("{symbol} ({})", unit.trim().trim_end_matches([')', ']'])), index)
+            {
+                Reading::Known(column) => Some(Reading::Known(column)),
+                _ => None,
+            };
+            splits(name).into_iter().flatten().find_map(with_unit).unwrap_or(own)
+        }
+        _ => own,
+    }
+}
+
+/// Returns the name without its unit and the unit, for each way to write a unit.
+fn splits(name: &str) -> [Option<(&str, &str)>; 3] {
+    [name.split_once(['(', '[']), name.rsplit_once('_'), name.split_once('/')]
+}
+
 /// Parses a name: `d`, `d_um`, `d (um)`, `d [um]`, `Contact radius / um`.
 pub(in crate::validate) fn read(name: &str, index: usize) -> Reading {
     let name = name.trim();
@@ -144,8 +166,7 @@ pub(in crate::validate) fn read(name: &str, index: usize) -> Reading {
     if let Some(kind) = Kind::of(name) {
         return built(name, kind, None);
     }
-    let splits = [name.split_once(['(', '[']), name.rsplit_once('_'), name.split_once('/')];
-    let found = splits.into_iter().flatten().find_map(|(symbol, unit)| Some((symbol.trim(), unit, Kind::of(symbol.trim())?)));
+    let found = splits(name).into_iter().flatten().find_map(|(symbol, unit)| Some((symbol.trim(), unit, Kind::of(symbol.trim())?)));
     let Some((symbol, unit, kind)) = found else { return Reading::Unknown };
     let unit = unit.trim().trim_end_matches([')', ']']);
     if is_bound(name) || unit.eq_ignore_ascii_case("error") {

@@ -2,7 +2,7 @@
 
 use crate::validate::ValidationError;
 use crate::validate::file::array::Array;
-use crate::validate::file::column::{Kind, Reading, read};
+use crate::validate::file::column::{Column, Kind, Reading, read, read_mapped};
 
 /// The position of the axis in the domain of a solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,8 +78,8 @@ impl Layout {
     /// Reads a column with this name.
     pub(in crate::validate) fn read(&self, name: &str, index: usize) -> Reading {
         match self.map.iter().find(|own| own.1 == name) {
-            Some((symbol, _)) => match read(symbol, index) {
-                Reading::Known(column) => Reading::Known(crate::validate::file::column::Column { name: name.to_owned(), ..column }),
+            Some((symbol, _)) => match read_mapped(symbol, name, index) {
+                Reading::Known(column) => Reading::Known(Column { name: name.to_owned(), ..column }),
                 other => other,
             },
             None => match read(name, index) {

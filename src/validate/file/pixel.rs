@@ -1,6 +1,7 @@
 //! The pixel of every file: declared, or else inferred from the data; if neither is possible, only the order of the files is known.
 
 use crate::scene::Declared;
+use crate::validate::file::column::Kind;
 use crate::validate::file::survey::{Content, Survey};
 use crate::validate::{Suspicion, ValidationError};
 
@@ -136,7 +137,7 @@ pub(in crate::validate) fn pixels(
             (None, Some(betrayed), None) => {
                 survey.notes.push(format!("inferred from the contact radii, which are counted in pixels: pixel {}", length(betrayed)));
             }
-            (None, None, _) => survey.notes.push("the pixel is not known; set box and grid in [data]".to_owned()),
+            (None, None, _) => survey.notes.push(unknown_pixel(survey.index(Kind::ContactRadius).is_some())),
             _ => {}
         }
         let side = side.or_else(|| pixel.zip(count).map(|(pixel, count)| pixel * count));
@@ -159,4 +160,10 @@ pub(in crate::validate) fn pixels(
 /// `[data]` may contain more or fewer grids than there are files; then only the grids of the first files are known.
 fn surveys_len(given: &[f64], grid: &[f64], index: usize) -> usize {
     if grid.is_empty() && index >= given.len() { usize::MAX } else { given.len() }
+}
+
+/// Returns the note that the pixel is not known, on which the tolerance of contact radii depends.
+fn unknown_pixel(has_radii: bool) -> String {
+    let effect = if has_radii { ", so that contact radii fail only if they are off by more than 15 %" } else { "" };
+    format!("the pixel is not known{effect}; for a solver on a regular grid, set box and grid in [data]")
 }

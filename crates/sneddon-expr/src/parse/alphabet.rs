@@ -82,6 +82,8 @@ pub(super) fn instead_of(character: char) -> &'static str {
         '{' | '}' => "group with parentheses ( )",
         '!' => "write a factorial as gamma(n+1)",
         ';' => "separate arguments by ,",
+        '=' => "write only the right-hand side of f(r) = ..., such as r^2",
+        '%' => "write 1 % as 0.01",
         '"' | '\'' => "use letters, digits, + - * / ^ and parentheses, without quotation marks",
         _ => "use letters, digits, _ . + - * / ^ , < > and parentheses",
     }

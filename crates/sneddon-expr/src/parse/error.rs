@@ -140,7 +140,7 @@ pub enum Reason {
     #[error("this is not a condition of piecewise")]
     Condition,
     /// A condition that bounds its variable from below.
-    #[error("conditions of piecewise bound their variable from above")]
+    #[error("a condition of piecewise must be an upper bound of its variable, such as r<b")]
     LowerBound,
     /// Conditions on different variables.
     #[error("this condition is on {found}, the others are on {expected}")]

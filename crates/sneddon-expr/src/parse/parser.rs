@@ -296,10 +296,21 @@ impl Parser<'_> {
         Err(ParseError::new(span, Reason::Unclosed { bracket }, accepted))
     }
 
+    /// True within parentheses that are an argument of `piecewise`, as SymPy writes its pairs of value and condition.
+    fn is_a_pair_of_piecewise(&self) -> bool {
+        let mut frames =
+            self.open.iter().rev().map(|own| &own.kind).filter(|own| matches!(own, Waiting::Parenthesis | Waiting::Call { .. }));
+        let inner = frames.next();
+        matches!(inner, Some(Waiting::Parenthesis)) && matches!(frames.next(), Some(Waiting::Call { name, .. }) if name == "piecewise")
+    }
+
     fn unexpected(&self) -> ParseError {
         let accepted = match self.token {
             Token::End => return ParseError::new(self.span.clone(), Reason::End, OPERAND),
             Token::Close | Token::CloseList if self.open.is_empty() => "remove it, or open it first",
+            Token::Comma if self.is_a_pair_of_piecewise() => {
+                "write piecewise(v0, r<b, v1): without parentheses around a pair, and the last value without a condition"
+            }
             Token::Comma => "write decimals with a point, as in 0.3; commas separate the arguments of a function",
             Token::Below | Token::Above => {
                 "conditions such as r<b are allowed only between the values of piecewise(v0, r<b, v1), one comparison each"

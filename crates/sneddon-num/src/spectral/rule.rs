@@ -24,7 +24,7 @@ pub struct Node {
     pub share: f64,
 }
 
-/// The rule of `count` nodes; those of Legendre are kept.
+/// The Gauss–Jacobi rule of `count` nodes for the weight (1+t)^β; the rules that were computed first are cached.
 pub fn rule(count: usize, beta: f64) -> Arc<Rule> {
     static KEPT: OnceLock<Mutex<Vec<Arc<Rule>>>> = OnceLock::new();
     let kept = KEPT.get_or_init(|| Mutex::new(Vec::new()));
@@ -90,7 +90,7 @@ impl Rule {
     }
 }
 
-/// The recurrence of P_k^{(0,β)} with 30 digits: next to t = −1 the rounding of t alone would cost the square of the degree.
+/// The recurrence of P_k^{(0,β)} with 30 digits: next to t = −1 the rounding of t would be amplified by the square of the degree.
 struct Steps {
     beta: f64,
     count: usize,
@@ -152,7 +152,7 @@ impl Steps {
                 break;
             }
         }
-        // One step with 30 digits doubles the digits of θ.
+        // Two steps of Newton's method with 30 digits; the first one doubles the digits of θ.
         let mut t = DoubleDouble::from(theta.cos());
         for _ in 0..2 {
             self.fill(t, row);
