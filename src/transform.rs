@@ -28,6 +28,7 @@ pub use crate::evaluate::slopes::{Over, Slopes};
 pub use crate::evaluate::superposition::Superposition;
 pub use crate::evaluate::table::{Cubic, Interpolation, Penalty, TableProfile};
 pub use crate::evaluate::tally::{Tally, Verdict};
+pub(crate) use crate::evaluate::waves::wave_numbers;
 pub use crate::evaluate::ways::{WAYS, Way};
 pub(crate) use crate::integrate::admit::finite_and_not_negative;
 pub use crate::integrate::error::TransformError;

@@ -7,7 +7,7 @@ pub(super) use dimensions::ParameterDimension;
 use super::accuracy::ELEMENTARY;
 use super::claim;
 use super::lower::{Names, lowered};
-use super::program::{Claim, Language, Program, QUANTITIES, Sum, is_of_depth, needs_modulus, routine_name, series_of, unit};
+use super::program::{Claim, Language, Program, QUANTITIES, STEP, Sum, is_of_depth, needs_modulus, routine_name, series_of, unit};
 use super::tree::{Comparison, NAN, Operator, Routine, Statement, Test, Value};
 use super::truth::References;
 use super::{CodeError, FORMS, names, read};
@@ -42,6 +42,7 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
     let target = language.target();
     let mut taken: Vec<String> = ["x", "a", "r", "d", "E"].map(str::to_owned).to_vec();
     taken.extend(QUANTITIES.iter().flat_map(|own| [target.spelled(&routine_name(*own)), own.key().to_owned()]));
+    taken.push(target.spelled(STEP));
     taken.extend(forms.iter().map(|own| target.spelled(&own.name)));
     let mut names = names::identifiers(&symbols, target.ignores_case(), &|word| target.is_reserved(word), &taken);
     let parameters: Vec<(String, String)> =
@@ -56,15 +57,26 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
     let starting_values = dimensions::starting_values(&dimensions, &symbols, &solution.conditions);
     let build = |sums: &[(Quantity, Sum)]| {
         let (names, arguments, sums) = (names.clone(), arguments.clone(), sums.to_vec());
-        let (dimensions, starting_values) = (dimensions.clone(), starting_values.clone());
-        let mut builder = Builder { solution, names, arguments, counter: 0, routines: Vec::new(), forms, language, sums };
+        let mut builder =
+            Builder { solution, names, arguments, dimensions: &dimensions, counter: 0, routines: Vec::new(), forms, language, sums };
         for quantity in quantities {
             builder.quantity(*quantity)?;
         }
         let library = builder.library();
         let (routines, quantities, profile, parameters) = (builder.routines, quantities.to_vec(), profile.to_owned(), parameters.clone());
         let (shape, claims) = (None, Vec::new());
-        let program = Program { language, routines, quantities, parameters, library, dimensions, starting_values, profile, shape, claims };
+        let program = Program {
+            language,
+            routines,
+            quantities,
+            parameters,
+            library,
+            dimensions: dimensions.clone(),
+            starting_values: starting_values.clone(),
+            profile,
+            shape,
+            claims,
+        };
         Ok::<Program, CodeError>(program)
     };
     // Use sums only where they improve the accuracy, because they cost code and time.
@@ -109,10 +121,15 @@ fn with_acute_angles(solution: &Solution) -> Solution {
     solution
 }
 
+/// The largest radius: the squares and cubes of larger ones overflow.
+const LARGEST: f64 = 1e100;
+
 pub(super) struct Builder<'a> {
     pub(super) solution: &'a Solution,
     pub(super) names: Names,
     pub(super) arguments: Vec<String>,
+    /// What each argument measures.
+    pub(super) dimensions: &'a [ParameterDimension],
     pub(super) counter: usize,
     pub(super) routines: Vec<Routine>,
     pub(super) forms: &'static [Routine],
@@ -192,7 +209,9 @@ impl Builder<'_> {
         if let Some(shown) = &shown {
             comment.push(format!("{} = {}", quantity.key(), print::text(&shown.formula)));
         } else {
-            comment.push("a is the first root of g(a) = d, unless waves of g are shorter than a quarter of it.".to_owned());
+            let has_waves = self.routines.iter().any(|own| own.name == STEP);
+            let within = if has_waves { "within five hundred waves of f, and beyond them " } else { "" };
+            comment.push(format!("a is the first root of g(a) = d {within}if g has no waves shorter than a quarter of it."));
         }
         comment.push(format!("Source: {}.", references.join("; ")));
         comment.push(format!("Domain: {}.", domain.1.join(", ")));
@@ -275,20 +294,24 @@ impl Builder<'_> {
     /// The conditions of validity, as tests and in words.
     fn domain(&mut self, quantity: Quantity) -> Result<(Vec<Test>, Vec<String>), CodeError> {
         let (mut tests, mut words) = (Vec::new(), Vec::new());
-        let largest = |name: &str| Test::Compare(Comparison::LessOrEqual, Value::name(name), Value::Number(f64::MAX, true));
+        let at_most = |name: &str, largest: f64| Test::Compare(Comparison::LessOrEqual, Value::name(name), Value::Number(largest, true));
         for own in coordinates(quantity) {
-            tests.extend([compare(Comparison::GreaterOrEqual, own, 0.0), largest(own)]);
-            words.push(format!("{own} >= 0"));
+            let (largest, range) = match own {
+                "d" => (f64::MAX, "d >= 0".to_owned()),
+                _ => (LARGEST, format!("0 <= {own} <= {LARGEST:e}")),
+            };
+            tests.extend([compare(Comparison::GreaterOrEqual, own, 0.0), at_most(own, largest)]);
+            words.push(range);
         }
         if is_of_depth(quantity) && explicit(self.solution).is_none() {
-            words.push("d at most the largest value of g".to_owned());
+            words.push(self.largest_depth());
         }
         let mut positive = self.arguments.clone();
         if needs_modulus(quantity) {
             positive.insert(0, "E".to_owned());
         }
         for own in &positive {
-            tests.extend([compare(Comparison::Greater, own, 0.0), largest(own)]);
+            tests.extend([compare(Comparison::Greater, own, 0.0), at_most(own, f64::MAX)]);
             words.push(format!("{own} > 0"));
         }
         // Conditions on the radius do not apply to a depth; those on the parameters, as b < R, do.
@@ -423,7 +446,10 @@ impl Builder<'_> {
                 continue;
             }
             let Some(form) = self.forms.iter().find(|own| own.name == name).cloned() else {
-                return Err(CodeError::Function { quantity: quantity.key(), function: name, language: self.language.title() });
+                let elsewhere = [Language::C, Language::Fortran, Language::Python, Language::Matlab]
+                    .iter()
+                    .any(|own| own.target().library(&name).is_some());
+                return Err(CodeError::Function { elsewhere, quantity: quantity.key(), function: name, language: self.language.title() });
             };
             self.needed(&form, quantity)?;
             self.routines.push(form);
@@ -454,7 +480,8 @@ pub(super) fn when(test: Test, value: Value) -> Statement {
 }
 
 impl Program {
-    /// The accuracy claim for each quantity; `None` if no point with a bound was found.
+    /// The accuracy claim for each quantity, and for g if another quantity is found by a search; `None` if no point with a bound was
+    /// found.
     pub fn claims(&self) -> &[(Quantity, Option<Claim>)] {
         &self.claims
     }
@@ -469,6 +496,12 @@ impl Program {
 }
 
 impl Program {
+    /// The requested quantities, and g if one of them is found by a search, which depends on g at all radii up to the root and beyond.
+    pub(super) fn judged(&self) -> Vec<Quantity> {
+        let is_searched = self.quantities.iter().any(|own| self.is_solved(*own)) && !self.quantities.contains(&Quantity::Equivalent);
+        self.quantities.iter().copied().chain(is_searched.then_some(Quantity::Equivalent)).collect()
+    }
+
     /// Whether a routine was requested by the caller.
     pub(super) fn is_public(&self, routine: &Routine) -> bool {
         self.quantities.iter().any(|own| routine_name(*own) == routine.name)

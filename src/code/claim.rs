@@ -30,7 +30,7 @@ const REFUSED: f64 = 1e4;
 /// Finds the claims and writes them into the comments of the routines. The search for a claim stops where it reaches the largest claim
 /// of the other program, which is then the better one.
 pub(super) fn claimed(mut program: Program, solution: &Solution, references: &References, other: Option<&Program>) -> Program {
-    for quantity in program.quantities.clone() {
+    for quantity in program.judged() {
         let before = other.and_then(|own| Some((own, own.claims.iter().find(|(of, _)| *of == quantity)?.1)));
         let of_g = program.claims.iter().find(|own| own.0 == Quantity::Equivalent && quantity == Quantity::Depth && program.depth_is_g());
         let claim = match (before, of_g) {

@@ -17,6 +17,8 @@ pub enum CodeError {
     /// The language has no such function, and no substitute is available.
     #[error("{quantity} calls the function {function}, which cannot be written in {language}")]
     Function {
+        /// Whether the library of another language has the function.
+        elsewhere: bool,
         /// The symbol of the quantity.
         quantity: &'static str,
         /// The function.
@@ -67,7 +69,8 @@ impl CodeError {
     pub fn accepted(&self) -> &'static str {
         match self {
             Self::NotClosed { .. } => "choose quantities that derive shows without an integral, or compute with eval",
-            Self::Function { .. } => "choose another --lang or other quantities, or compute with eval",
+            Self::Function { elsewhere: true, .. } => "choose a language that has the function, such as Python, or compute with eval",
+            Self::Function { elsewhere: false, .. } => "compute it with eval, in Python with sneddon.Contact, or choose other quantities",
             Self::NoDepth { .. } => "choose quantities that are functions of the contact radius: g, F, p, d",
             Self::Inaccurate { .. } | Self::NoValue { .. } => {
                 "compute it with eval, in Python with sneddon.Contact, or choose other quantities"

@@ -8,6 +8,9 @@ use crate::contact::{self, Quantity};
 pub const QUANTITIES: [Quantity; 6] =
     [Quantity::Equivalent, Quantity::Force, Quantity::Pressure, Quantity::Depth, Quantity::Radius, Quantity::ForceOfDepth];
 
+/// The routine that returns the length of a step of the search for a(d), for profiles with waves.
+pub(super) const STEP: &str = "sneddon_step";
+
 /// The routines that compute the quantities of a profile.
 #[derive(Clone, Debug)]
 pub struct Program {

@@ -47,7 +47,8 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         // |F| ≤ 2 E* a max |g|, because r ≤ a.
         let near =
             || near_axis(self.evaluator(), start, |a, g| 2.0 * self.effective_modulus() * a * g * (1.0 + 4.0 * f64::EPSILON) < force);
-        let span = Span { near: &near, start, limit: self.evaluator().limit() };
+        let wave = |a: f64| self.evaluator().shortest_wave(a);
+        let span = Span { near: &near, start, limit: self.evaluator().limit(), wave: &wave };
         let found = root(&mut height, &|| None, &Radii::default(), force, span).map_err(|error| match error {
             ContactError::Unreachable { reason, .. } => unreachable(reason),
             other => other,

@@ -154,6 +154,10 @@ impl<P: Quantities + ?Sized> Quantities for Expanded<P> {
         self.profile.height(r)
     }
 
+    fn shortest_wave(&self, r: f64) -> f64 {
+        self.profile.shortest_wave(r)
+    }
+
     fn limit(&self) -> f64 {
         self.profile.limit()
     }

@@ -46,6 +46,9 @@ const ENDS: i32 = 15;
 const BENT: f64 = 1e-3;
 /// Maximum number of bisections per decade, by the cost of one evaluation of g in steps.
 const HALVINGS: [(u64, u32); 3] = [(5_000, 8), (200_000, 6), (u64::MAX, 4)];
+/// Waves are resolved up to this number if g takes at most [`CHEAP`] steps.
+const MOST_WAVES: f64 = 500.0;
+const CHEAP: u64 = 20_000;
 /// Number of bisections that are made in any case.
 const CERTAIN: u32 = 2;
 /// Maximum number of iterations to locate a local maximum of g, or the radius where g ceases to exist.
@@ -90,7 +93,8 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: 
     };
     let stays_below = || unreachable::stays_below(evaluator, depth);
     let near = || near_axis(evaluator, start, |_, g| g < depth);
-    let found = root(&mut height, &stays_below, radii, depth, Span { near: &near, start, limit })?;
+    let wave = |a: f64| evaluator.shortest_wave(a);
+    let found = root(&mut height, &stays_below, radii, depth, Span { near: &near, start, limit, wave: &wave })?;
     let (a, Certain { reach, bound, .. }) = found.map_err(|absence| match absence {
         NoRadius::Proven(reason) => ContactError::Unreachable { depth, reason },
         NoRadius::Unproven(reason) => ContactError::NotFound { depth, reason },
@@ -106,6 +110,8 @@ pub(super) struct Span<'a> {
     pub(super) start: f64,
     /// The end of the profile.
     pub(super) limit: f64,
+    /// The length of the shortest wave of f at a radius.
+    pub(super) wave: &'a dyn Fn(f64) -> f64,
 }
 
 /// The largest of the radii to sample up to which `is_below` holds for the radius and a bound on |g| there; 0 if there is none.
@@ -143,13 +149,13 @@ pub(super) fn root(
     target: f64,
     span: Span<'_>,
 ) -> Result<Result<(f64, Certain), NoRadius>, ContactError> {
-    let Span { near, start, limit } = span;
+    let Span { near, start, limit, wave } = span;
     let mut with_digits = |a: f64| {
         let Estimate { value, error, .. } = height(a)?;
         if error > value.abs() { Err(TransformError::NoDigits { at: a, value, error }) } else { Ok(value) }
     };
     let places = outward(start, limit);
-    let mut look = Look { height: &mut with_digits, stays_below, near, start, limit, places, refused: None };
+    let mut look = Look { height: &mut with_digits, stays_below, near, start, limit, wave, places, refused: None };
     let (lower, upper) = match look.bracket(radii, target)? {
         Ok(found) => found,
         Err(absence) => return Ok(Err(absence)),
@@ -213,6 +219,7 @@ struct Look<'a> {
     near: &'a dyn Fn() -> f64,
     start: f64,
     limit: f64,
+    wave: &'a dyn Fn(f64) -> f64,
     /// The radii to sample, in increasing order.
     places: Vec<f64>,
     /// The error of a method that has no value at some radius.
@@ -392,20 +399,25 @@ impl Look<'_> {
         true
     }
 
-    /// Bisects an interval recursively wherever g deviates from a power law, as often as the cost of g next to its upper end allows.
+    /// Bisects an interval recursively wherever g deviates from a power law, as often as the cost of g next to its upper end allows, and
+    /// within the first [`MOST_WAVES`] waves to an eighth of a wave.
     ///
     /// The first [`CERTAIN`] bisections are always made, because an oscillation may match the power law at one point.
     fn between(&mut self, one: (f64, f64), two: (f64, f64), cost: u64, level: u32, places: &mut Vec<(f64, f64)>) {
         let most = HALVINGS.into_iter().find(|(most, _)| cost <= *most).map_or(0, |(_, halvings)| halvings);
         let middle = self.middle(one.0, two.0);
-        if level >= most || middle <= one.0 || middle >= two.0 || work::is_exhausted() {
+        let has_waves = cost <= CHEAP && {
+            let wave = (self.wave)(two.0);
+            8.0 * (two.0 - one.0) > wave && one.0 < MOST_WAVES * wave
+        };
+        if (level >= most && !has_waves) || middle <= one.0 || middle >= two.0 || work::is_exhausted() {
             return;
         }
         let before = work::left();
         let Ok(g) = self.value(middle) else { return };
         let nearer = before.saturating_sub(work::left());
         let here = (middle, g);
-        if level < CERTAIN || !self.is_power(one, here, two) {
+        if level < CERTAIN || has_waves || !self.is_power(one, here, two) {
             self.between(one, here, nearer, level + 1, places);
             places.push(here);
             self.between(here, two, cost, level + 1, places);

@@ -71,6 +71,8 @@ pub struct Evaluator<'a> {
     recognised: OnceLock<NumericProfile>,
     heights: OnceLock<Heights>,
     pub(crate) steep: OnceLock<bool>,
+    /// The wave numbers of f.
+    pub(crate) waves: OnceLock<Vec<Expr>>,
     pub(crate) polynomials: PolynomialCache,
     pub(crate) tolerance: f64,
     pub(crate) method: Method,
@@ -147,6 +149,7 @@ impl<'a> Evaluator<'a> {
             recognised: OnceLock::new(),
             heights: OnceLock::new(),
             steep: OnceLock::new(),
+            waves: OnceLock::new(),
             polynomials: PolynomialCache::default(),
             tolerance,
             method,

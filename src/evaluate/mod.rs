@@ -20,4 +20,5 @@ pub(crate) mod superposition;
 pub(crate) mod table;
 pub(crate) mod tally;
 pub(crate) mod typed;
+pub(crate) mod waves;
 pub(crate) mod ways;

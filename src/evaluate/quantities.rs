@@ -95,6 +95,11 @@ pub trait Quantities: Send + Sync {
         false
     }
 
+    /// The length of the shortest wave of f at a radius, where it is known; infinite otherwise.
+    fn shortest_wave(&self, _r: f64) -> f64 {
+        f64::INFINITY
+    }
+
     /// The pressures under a contact of radius a as one expansion, for profiles that have one.
     fn pressure_curve(&self, _a: f64) -> Option<PressureCurve<'static>> {
         None
@@ -151,6 +156,10 @@ impl Quantities for Evaluator<'_> {
 
     fn has_pressure_curve(&self) -> bool {
         self.method == Method::Auto
+    }
+
+    fn shortest_wave(&self, r: f64) -> f64 {
+        Self::shortest_wave(self, r)
     }
 
     fn pressure_curve(&self, a: f64) -> Option<PressureCurve<'static>> {

@@ -100,6 +100,10 @@ impl Quantities for Superposition<'_> {
         }
     }
 
+    fn shortest_wave(&self, r: f64) -> f64 {
+        self.parts.iter().map(|part| part.shortest_wave(r)).fold(f64::INFINITY, f64::min)
+    }
+
     fn has_pressure_curve(&self) -> bool {
         matches!(self.parts.as_slice(), [only] if only.has_pressure_curve())
     }

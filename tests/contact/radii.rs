@@ -102,6 +102,18 @@ fn the_first_root_of_growing_waves_is_found() {
     }
 }
 
+/// Class "not the first root".
+///
+/// The wave is 1/154 of the radius, and the crest before the root that was found is 0.03 % above the depth: x π/2 H₀(2x) = 20 by mpmath with
+/// 40 digits, beside a scan of a hundred points per wave.
+#[test]
+fn the_first_root_of_many_waves_is_found() {
+    for unit in [1e-9, 1.0, 1e7] {
+        let (found, _) = radius("[s]*sin(r/[s])^2", unit, 20.0 * unit).unwrap();
+        assert!((found.estimate.value / unit / 484.962_946_045_529_27 - 1.0).abs() < 1e-14, "{found:?}");
+    }
+}
+
 /// Beyond its maximum a falling g overflows; its slopes are too large for products with radii.
 #[test]
 fn a_falling_g_is_proven_to_stay_below() {

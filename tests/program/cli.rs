@@ -878,7 +878,7 @@ fn comments_of_code_state_units_and_the_domain() {
     let text = run(&["code", "--shape", "worn-sphere", "--set", "R=5 um", "--quantity", "F_of_d", "--lang", "C"]).stdout;
     assert!(text.contains("// Units: all lengths in um.\n") && !text.contains("the same unit"), "{text}");
     let text = run(&["code", "--shape", "cone-with-spherical-cap", "--quantity", "g", "--lang", "c"]).stdout;
-    assert!(text.contains("// Domain: x >= 0, R > 0, theta > 0, theta < pi/2.\n"), "{text}");
+    assert!(text.contains("// Domain: 0 <= x <= 1e100, R > 0, theta > 0, theta < pi/2.\n"), "{text}");
 }
 
 /// Class "a file that is named for another language".

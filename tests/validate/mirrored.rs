@@ -94,6 +94,9 @@ fn noise_passes_and_contradicting_rings_fail() {
         }
         let (_, found) = validated(&place, &scene, &["field.csv".to_owned()], &["--cells"]);
         let notes = found["files"][0]["notes"].to_string();
-        assert!(notes.contains(" points are in the data more than once") && notes.contains("missing or repeated"), "{shape:?}: {notes}");
+        assert!(
+            notes.contains(" points are in the data more than once") && notes.contains("all points of a lattice, each once"),
+            "{shape:?}: {notes}"
+        );
     }
 }

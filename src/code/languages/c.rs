@@ -3,7 +3,7 @@
 use super::{Target, Words, comment, decimal, head, parts, whole};
 use crate::code::accuracy::ELEMENTARY;
 use crate::code::program::Program;
-use crate::code::tree::LENGTH;
+use crate::code::tree::{LENGTH, Routine};
 
 pub(super) struct C;
 
@@ -109,6 +109,10 @@ impl Target for C {
         } else {
             "Compile with: cc -c FILE.c; link with -lm.".to_owned()
         });
+        lines.push("The language is C99. In C++, declare the functions as extern \"C\":".to_owned());
+        let list = |routine: &Routine| routine.parameters.iter().map(|own| format!("double {own}")).collect::<Vec<_>>().join(", ");
+        let public = program.routines.iter().filter(|own| program.is_public(own));
+        lines.extend(public.map(|own| format!("double {}({});", self.spelled(&own.name), list(own))));
         let mut text = comment(&lines, self.words().comment);
         text.push_str("#include <math.h>\n");
         if gsl {
@@ -116,7 +120,6 @@ impl Target for C {
         }
         for routine in &program.routines {
             let (_, body) = parts(routine, self);
-            let list: Vec<String> = routine.parameters.iter().map(|own| format!("double {own}")).collect();
             let public = program.is_public(routine);
             let place = if public { "" } else { "static " };
             let unread: Vec<String> =
@@ -125,7 +128,7 @@ impl Target for C {
                 "\n{}{place}double {}({})\n{{\n{}{body}}}\n",
                 comment(&routine.comment, self.words().comment),
                 self.spelled(&routine.name),
-                list.join(", "),
+                list(routine),
                 unread.concat(),
             ));
         }

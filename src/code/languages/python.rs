@@ -107,7 +107,9 @@ impl Target for Python {
 
     fn file(&self, program: &Program) -> String {
         let mut lines = head(program);
-        lines.push("The functions take and return floats; outside the domain they raise ValueError.".to_owned());
+        lines.push(
+            "The functions take and return floats; outside the domain, and where the value is infinite, they raise ValueError.".to_owned(),
+        );
         let mut text = comment(&lines, "# ");
         text.push_str(&imports(program));
         text.push_str(&routines(program));

@@ -130,3 +130,42 @@ fn the_search_finds_the_radii_of_humps_catenaries_and_edges() {
     let edge = [near("1e-9, 2e-7, 1e-6", 1.003_552_272_207_992_4e-6)];
     assert_in_c("edge", "piecewise(0,r<b,(r-b)^2/(2*R))", &[Quantity::Radius], &edge);
 }
+
+/// Far out, g of a hump is what its terms leave of each other, and no root: humps that never reach the depth have no contact radius, whether
+/// g is requested or not.
+#[test]
+fn humps_have_no_root_far_out() {
+    let humps: [(&str, &str, &[&str]); 3] = [
+        ("C*r*exp(-r/w)", "1.0, 1.0", &["0.5", "1.01", "3.0"]),
+        ("C*r^2*exp(-r^2/w^2)", "0.7, 1.3", &["2.0", "100.0"]),
+        ("h*r^2/(r^2+w^2)^2", "1.0, 1.0", &["0.5", "1.0", "1e9"]),
+    ];
+    for (shape, parameters, depths) in humps {
+        for (quantity, modulus) in [(Quantity::Radius, ""), (Quantity::ForceOfDepth, "1.0, ")] {
+            let conditions: Vec<String> =
+                depths.iter().map(|d| format!("isnan(sneddon_{}({d}, {modulus}{parameters}))", quantity.key())).collect();
+            assert_in_c("humps", shape, &[quantity], &conditions);
+        }
+    }
+}
+
+/// The first root is found among waves that are short beside it. The references are roots of h k x π/2 H₀(kx) = d by mpmath with 40 digits,
+/// beside a scan of a hundred points per wave.
+#[test]
+fn the_search_finds_the_first_of_many_waves() {
+    let near = |call: &str, value: &str| format!("fabs({call}/{value} - 1.0) < 1e-14");
+    let radii = ["sneddon_a(2.0, 0.4, 2.2)", "sneddon_a(3.78, 0.4, 2.2)"];
+    let roots = ["6.529048564202900089", "21.00613275622547120"];
+    let conditions: Vec<String> = radii.iter().zip(roots).map(|(call, value)| near(call, value)).collect();
+    assert_in_c("waves", "h*(1-cos(k*r))", &[Quantity::Radius], &conditions);
+    assert_in_c("waves", "h*sin(r/w)^2", &[Quantity::Radius], &[near("sneddon_a(20.0, 1.0, 1.0)", "484.9629460455292738")]);
+    let force = near("sneddon_F_of_d(3.78, 1.0, 0.4, 2.2)", "142.3549477076796251");
+    assert_in_c("waves", "h*(1-cos(k*r))", &[Quantity::ForceOfDepth], &[force]);
+}
+
+/// The smallest positive double is a depth: r²/2 has g = x².
+#[test]
+fn the_search_ends_at_the_smallest_depth() {
+    let radius = "fabs(sneddon_a(5e-324)/2.2227587494850775e-162 - 1.0) < 0.2".to_owned();
+    assert_in_c("smallest", "r^10/20+r^7/3-r^3/5+r^2/2", &[Quantity::Radius], &[radius]);
+}

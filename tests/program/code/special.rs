@@ -130,3 +130,18 @@ fn a_feature_far_below_the_contact_radius_is_not_missed() {
         .collect();
     assert_in_c("far", text, &[Quantity::Equivalent], &conditions);
 }
+
+/// Pressures of high powers by Euler's integral, whose factors overflow one by one. The references are integrals over u, x = r cosh u, by mpmath
+/// with 40 digits.
+#[test]
+fn pressures_of_high_powers_are_written() {
+    let values = [
+        ("40.0", "3.0348047634246072788"),
+        ("45.0", "3.203913272818424403"),
+        ("60.5", "3.6799931110419112366"),
+        ("100.0", "4.6809689862634763018"),
+        ("1000.0", "14.590421616285109037"),
+    ];
+    let conditions = values.map(|(n, value)| format!("fabs(sneddon_p(0.5, 1.0, 1.0, 1.0, {n})/{value} - 1.0) < 4e-15"));
+    assert_in_c("high powers", "C*r^n", &[Quantity::Pressure], &conditions);
+}
