@@ -12,7 +12,7 @@ const RESERVE: u64 = 1_000_000;
 
 /// The result of one way.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Asked {
+pub struct WayResult {
     /// The key of the way.
     pub way: &'static str,
     /// The number, or the reason why it is missing.
@@ -21,7 +21,7 @@ pub struct Asked {
     pub steps: u64,
 }
 
-impl Asked {
+impl WayResult {
     /// Returns true for a way that was not asked because the work limit was reached.
     pub fn is_cut(&self) -> bool {
         self.found.as_ref().is_err_and(|why| why == NOT_ASKED)
@@ -64,16 +64,16 @@ impl<'a> Explained<'a> {
     }
 
     /// The results of all ways that compute the quantity, at a place or load; `radius` is the contact radius of a field.
-    pub fn ask(&self, quantity: Quantity, at: f64, radius: f64) -> Vec<Asked> {
+    pub fn ask(&self, quantity: Quantity, at: f64, radius: f64) -> Vec<WayResult> {
         self.contacts.iter().filter_map(|(way, contact)| asked(way, contact, quantity, at, radius)).collect()
     }
 }
 
 /// The result of one way; `None` if the way does not apply to the quantity.
-fn asked(way: &'static Way, contact: &Contact<'_>, quantity: Quantity, at: f64, radius: f64) -> Option<Asked> {
+fn asked(way: &'static Way, contact: &Contact<'_>, quantity: Quantity, at: f64, radius: f64) -> Option<WayResult> {
     let share = MOST_STEPS.min(work::left().saturating_sub(RESERVE));
     if share == 0 {
-        return Some(Asked { way: way.key, found: Err(NOT_ASKED.to_owned()), steps: 0 });
+        return Some(WayResult { way: way.key, found: Err(NOT_ASKED.to_owned()), steps: 0 });
     }
     let (answer, steps, whole) = work::apart(share, || quantity.number(contact, at, radius));
     work::spend(steps);
@@ -86,5 +86,5 @@ fn asked(way: &'static Way, contact: &Contact<'_>, quantity: Quantity, at: f64, 
         Ok(Measured::Ok(own)) if own.estimate.way == way.key => Ok(own.estimate),
         Ok(Measured::Ok(_)) => return None,
     };
-    Some(Asked { way: way.key, found, steps })
+    Some(WayResult { way: way.key, found, steps })
 }

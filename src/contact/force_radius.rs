@@ -1,6 +1,6 @@
 //! The contact radius under a given force with a smooth edge: the root of F(a) = F.
 
-use super::radius::{Certain, NoRadius, Radii, Span, near_axis, overflow, root};
+use super::radius::{CertainSigns, DepthSamples, NoRadius, Span, near_axis, overflow, root};
 use super::{Contact, ContactError};
 use crate::num::Estimate;
 use crate::transform::{Quantities, Reading, TransformError};
@@ -49,11 +49,11 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
             || near_axis(self.evaluator(), start, |a, g| 2.0 * self.effective_modulus() * a * g * (1.0 + 4.0 * f64::EPSILON) < force);
         let wave = |a: f64| self.evaluator().shortest_wave(a);
         let span = Span { near: &near, start, limit: self.evaluator().limit(), wave: &wave };
-        let found = root(&mut height, &|| None, &Radii::default(), force, span).map_err(|error| match error {
+        let found = root(&mut height, &|| None, &DepthSamples::default(), force, span).map_err(|error| match error {
             ContactError::Unreachable { reason, .. } => unreachable(reason),
             other => other,
         })?;
-        let (a, Certain { reach, bound, .. }) =
+        let (a, CertainSigns { reach, bound, .. }) =
             found.map_err(|(NoRadius::Proven(reason) | NoRadius::Unproven(reason))| unreachable(reason))?;
         Ok(Reading { estimate: Estimate { error: reach, evaluations, bound, way, ..Estimate::exact(a) }, method: "root" })
     }

@@ -20,7 +20,7 @@ mod stress;
 
 pub use comparison::{Comparison, Comparisons, Setting, compare};
 pub use error::ContactError;
-pub use explained::{Asked, Explained};
+pub use explained::{Explained, WayResult};
 pub use explicit::{Explicit, explicit};
 pub use foundation::{FoundationState, SpringFoundation};
 pub use indentation::{Body, Boundary, Estimates, Finding, Indentation, Indented, Load, Naming, Part, Setup, Severity, State, in_unit};

@@ -1,6 +1,6 @@
 //! The numbers of a contact: depth, force, stiffness, pressure, displacement, energy and the inverse a(d).
 
-use super::radius::{self, Radii};
+use super::radius::{self, DepthSamples};
 use super::{ContactError, Explicit};
 use crate::num::quadrature::{Options, Panel, Point, integrate};
 use crate::num::{Bounded, Estimate, NumError, work};
@@ -19,7 +19,7 @@ pub struct Contact<'a, P: Quantities + ?Sized = Evaluator<'a>> {
     depth: Option<f64>,
     tolerance: f64,
     /// Samples of g, shared by the contact radii of all depths.
-    radii: Arc<Radii>,
+    radii: Arc<DepthSamples>,
     inverse: Inverse,
 }
 

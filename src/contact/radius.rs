@@ -10,10 +10,10 @@ use std::sync::{Mutex, PoisonError};
 
 /// Samples of g in order of increasing radius; each search extends those of the previous one.
 #[derive(Default)]
-pub(super) struct Radii(Mutex<Seen>);
+pub(super) struct DepthSamples(Mutex<SearchState>);
 
 #[derive(Clone, Default)]
-struct Seen {
+struct SearchState {
     places: Vec<(f64, f64)>,
     /// Indices of the first radius that was sampled, and of the next one.
     first: usize,
@@ -70,7 +70,11 @@ const IDLE: u32 = 8;
 ///
 /// # Errors
 /// [`ContactError::Unreachable`] if no contact radius exists, [`ContactError::NotFound`] if the search finds none but cannot exclude one.
-pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: &Radii, depth: f64) -> Result<Reading, ContactError> {
+pub(super) fn of_depth<P: Quantities + ?Sized>(
+    contact: &Contact<'_, P>,
+    radii: &DepthSamples,
+    depth: f64,
+) -> Result<Reading, ContactError> {
     if !(depth >= 0.0 && depth.is_finite()) {
         return Err(ContactError::Unreachable { depth, reason: "expected a finite depth d >= 0" });
     }
@@ -95,7 +99,7 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: 
     let near = || near_axis(evaluator, start, |_, g| g < depth);
     let wave = |a: f64| evaluator.shortest_wave(a);
     let found = root(&mut height, &stays_below, radii, depth, Span { near: &near, start, limit, wave: &wave })?;
-    let (a, Certain { reach, bound, .. }) = found.map_err(|absence| match absence {
+    let (a, CertainSigns { reach, bound, .. }) = found.map_err(|absence| match absence {
         NoRadius::Proven(reason) => ContactError::Unreachable { depth, reason },
         NoRadius::Unproven(reason) => ContactError::NotFound { depth, reason },
     })?;
@@ -145,17 +149,17 @@ pub(in crate::contact) enum NoRadius {
 pub(super) fn root(
     height: &mut dyn FnMut(f64) -> Result<Estimate, TransformError>,
     stays_below: &dyn Fn() -> Option<NoRadius>,
-    radii: &Radii,
+    radii: &DepthSamples,
     target: f64,
     span: Span<'_>,
-) -> Result<Result<(f64, Certain), NoRadius>, ContactError> {
+) -> Result<Result<(f64, CertainSigns), NoRadius>, ContactError> {
     let Span { near, start, limit, wave } = span;
     let mut with_digits = |a: f64| {
         let Estimate { value, error, .. } = height(a)?;
         if error > value.abs() { Err(TransformError::NoDigits { at: a, value, error }) } else { Ok(value) }
     };
     let places = outward(start, limit);
-    let mut look = Look { height: &mut with_digits, stays_below, near, start, limit, wave, places, refused: None };
+    let mut look = RootSearch { height: &mut with_digits, stays_below, near, start, limit, wave, places, refused: None };
     let (lower, upper) = match look.bracket(radii, target)? {
         Ok(found) => found,
         Err(absence) => return Ok(Err(absence)),
@@ -172,7 +176,7 @@ pub(super) fn root(
 }
 
 /// The neighbourhood of a root beyond which the sign of an increasing function is certain.
-pub(super) struct Certain {
+pub(super) struct CertainSigns {
     /// The distance from the root.
     pub(super) reach: f64,
     /// The largest |value| with its error at the evaluated points within that distance.
@@ -189,7 +193,7 @@ pub(super) fn certain(
     a: f64,
     start: f64,
     limit: f64,
-) -> Result<Option<Certain>, ContactError> {
+) -> Result<Option<CertainSigns>, ContactError> {
     let mut reach = f64::EPSILON * a;
     while reach < a {
         let below = if a - reach > start { Some(gap(a - reach)?) } else { None };
@@ -197,7 +201,7 @@ pub(super) fn certain(
         if below.is_none_or(|own| own.value < -own.error) && above.is_none_or(|own| own.value > own.error) {
             let both = below.into_iter().chain(above);
             let spread = both.clone().map(|own| own.value.abs() + own.error).fold(0.0, f64::max);
-            return Ok(Some(Certain { reach, spread, bound: both.fold(Bound::Proven, |bound, own| bound.and(own.bound)) }));
+            return Ok(Some(CertainSigns { reach, spread, bound: both.fold(Bound::Proven, |bound, own| bound.and(own.bound)) }));
         }
         // The difference grows with the distance, the errors do not.
         let error = below.into_iter().chain(above).map(|own| own.error).fold(0.0, f64::max);
@@ -212,7 +216,7 @@ pub(super) fn certain(
 }
 
 /// Samples g outward from the flat part of the tip.
-struct Look<'a> {
+struct RootSearch<'a> {
     height: &'a mut dyn FnMut(f64) -> Result<f64, TransformError>,
     stays_below: &'a dyn Fn() -> Option<NoRadius>,
     /// See [`Span`].
@@ -241,7 +245,7 @@ fn outward(start: f64, limit: f64) -> Vec<f64> {
     list
 }
 
-impl Look<'_> {
+impl RootSearch<'_> {
     /// g at a radius; the first error of a method without a value is kept.
     fn value(&mut self, a: f64) -> Result<f64, TransformError> {
         let found = (self.height)(a);
@@ -252,7 +256,7 @@ impl Look<'_> {
     }
 
     /// The first pair of adjacent radii between which g reaches the depth.
-    fn bracket(&mut self, radii: &Radii, depth: f64) -> Result<Result<(f64, f64), NoRadius>, ContactError> {
+    fn bracket(&mut self, radii: &DepthSamples, depth: f64) -> Result<Result<(f64, f64), NoRadius>, ContactError> {
         let begin = work::left();
         let mut asked = false;
         let mut seen = radii.0.lock().unwrap_or_else(PoisonError::into_inner).clone();
@@ -261,7 +265,7 @@ impl Look<'_> {
             // The two radii before the first one that counts show where g deviates from a power law.
             let first = self.places.partition_point(|a| *a <= near).saturating_sub(3);
             if seen.next == 0 || first < seen.first {
-                seen = Seen { first, next: first, ..Seen::default() };
+                seen = SearchState { first, next: first, ..SearchState::default() };
             }
             seen.smallest = depth;
         }
@@ -330,7 +334,7 @@ impl Look<'_> {
     }
 
     /// Samples the next radius.
-    fn go_on(&mut self, seen: &mut Seen) {
+    fn go_on(&mut self, seen: &mut SearchState) {
         let Some(a) = self.places.get(seen.next).copied() else {
             seen.ended = true;
             return;
@@ -369,7 +373,7 @@ impl Look<'_> {
     }
 
     /// Adds a sample, refines the interval before it, and adds the local maxima of g.
-    fn accept(&mut self, here: (f64, f64), cost: u64, seen: &mut Seen) {
+    fn accept(&mut self, here: (f64, f64), cost: u64, seen: &mut SearchState) {
         let known = seen.places.len();
         if let [.., one, two] = seen.places.as_slice()
             && !self.is_power(*one, *two, here)
@@ -391,11 +395,11 @@ impl Look<'_> {
     /// Continues at the next radius with an accurate g that makes all samples so far negligible; returns false if there is none.
     ///
     /// Rounding turns a function such as exp(r)-1-r into a line near the axis, and into noise up to a larger radius.
-    fn leap(&mut self, seen: &mut Seen) -> bool {
+    fn leap(&mut self, seen: &mut SearchState) -> bool {
         let rest: Vec<f64> = self.places.iter().skip(seen.next).take(LEAP).copied().collect();
         let found = rest.into_iter().position(|a| self.value(a).is_ok_and(|g| g > seen.largest / NOTHING));
         let Some(steps) = found else { return false };
-        *seen = Seen { first: seen.first, next: seen.next + steps, smallest: seen.smallest, ..Seen::default() };
+        *seen = SearchState { first: seen.first, next: seen.next + steps, smallest: seen.smallest, ..SearchState::default() };
         true
     }
 
@@ -452,7 +456,7 @@ impl Look<'_> {
     }
 
     /// Bisects toward the radius beyond which g does not exist, or has no value by the chosen method.
-    fn approach(&mut self, mut outer: f64, seen: &mut Seen) {
+    fn approach(&mut self, mut outer: f64, seen: &mut SearchState) {
         for _ in 0..MOST_ITERATIONS {
             let Some((inner, _)) = seen.places.last().copied() else { break };
             let a = inner + 0.5 * (outer - inner);

@@ -43,7 +43,7 @@ pub enum Method {
 pub struct Reading {
     /// Value, error bound and evaluations of f′.
     pub estimate: Estimate,
-    /// `exact`, `quadrature`, or `mixed` for a sum of closed terms and integrals.
+    /// `exact`, `quadrature`, `mixed` for a sum of closed terms and integrals, `series`, `curve`, or `root` for a solution of g(a) = d.
     pub method: &'static str,
 }
 
@@ -85,15 +85,15 @@ pub(crate) struct Heights {
 
 pub(crate) struct NumericChain {
     pub(crate) breakpoints: Vec<Bounded>,
-    equivalent: OnceLock<Part>,
-    force: OnceLock<Part>,
-    pressure: OnceLock<Part>,
-    outside: OnceLock<Part>,
+    equivalent: OnceLock<ClosedAndOpen>,
+    force: OnceLock<ClosedAndOpen>,
+    pressure: OnceLock<ClosedAndOpen>,
+    outside: OnceLock<ClosedAndOpen>,
 }
 
 /// The closed expressions of one quantity, one per interval of the contact and `None` where it is 0, each compiled where a contact
 /// first ends in its interval; and the part that remains to be integrated.
-pub(crate) struct Part {
+pub(crate) struct ClosedAndOpen {
     closed: Vec<OnceLock<Option<ClosedForm>>>,
     pub(crate) open: NumericProfile,
 }
@@ -434,7 +434,7 @@ impl<'a> Evaluator<'a> {
         self.chains.get(chain).map_or(0, |c| c.breakpoints.iter().filter(|b| is_below(**b, contact)).count())
     }
 
-    pub(crate) fn part(&self, index: usize, quantity: Superposed) -> Result<&Part, TransformError> {
+    pub(crate) fn part(&self, index: usize, quantity: Superposed) -> Result<&ClosedAndOpen, TransformError> {
         let (Some(numeric), Some(chain)) = (self.chains.get(index), self.solution.chains.get(index)) else {
             return Err(TransformError::NoClosedForm { quantity: quantity.name() });
         };
@@ -449,7 +449,7 @@ impl<'a> Evaluator<'a> {
         }
         let open = chain.remainder(|term| quantity.is_open(term));
         let closed = chain.intervals.iter().map(|_| OnceLock::new()).collect();
-        let part = Part { closed, open: NumericProfile::new(&open, &self.bindings)? };
+        let part = ClosedAndOpen { closed, open: NumericProfile::new(&open, &self.bindings)? };
         // What was built after the budget was exhausted is meaningless, here and below.
         work::check()?;
         Ok(cell.get_or_init(|| part))

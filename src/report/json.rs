@@ -1,7 +1,7 @@
 //! Records as JSON: one document, numbers as the shortest decimals that read back, and null with a reason for a missing value.
 
 use super::{Compared, Derivation, Evaluation, Unchecked};
-use crate::contact::{self, Asked, Measured, Reason};
+use crate::contact::{self, Measured, Reason, WayResult};
 use crate::expr::{Expr, Formula};
 use crate::print::{self, Notation, Presentation, Prose};
 use crate::transform::{self, Derived, Reading, Rule, Verdict};
@@ -369,7 +369,7 @@ struct Way<'a> {
 }
 
 impl<'a> Way<'a> {
-    fn of(asked: &'a Asked) -> Self {
+    fn of(asked: &'a WayResult) -> Self {
         let (found, why) = match &asked.found {
             Ok(found) => (Some(found), None),
             Err(why) => (None, Some(why.as_str())),

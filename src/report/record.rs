@@ -1,7 +1,7 @@
 //! The records that all output formats share: derived formulas, values and comparisons.
 
 use super::{infinite_pressure, open_pressure};
-use crate::contact::{Asked, Comparisons, Edge, Formulas, Measured, Quantity, Reason, Relations};
+use crate::contact::{Comparisons, Edge, Formulas, Measured, Quantity, Reason, Relations, WayResult};
 use crate::expr::{Condition, Expr, Formula, Relation, Symbol};
 use crate::print::{Presentation, Prose};
 use crate::transform::{Check, Derived, Profile, TransformError};
@@ -172,7 +172,7 @@ pub struct Evaluation<'a> {
     /// The readings, one per coordinate.
     pub readings: Vec<Measured>,
     /// The results of all methods at each coordinate, if requested.
-    pub ways: Option<Vec<Vec<Asked>>>,
+    pub ways: Option<Vec<Vec<WayResult>>>,
     /// The units of all values.
     pub units: UnitNames,
 }
@@ -202,7 +202,7 @@ impl Evaluation<'_> {
     /// Returns true if the work budget was exhausted at a point, or before all ways were asked.
     pub fn is_cut(&self) -> bool {
         let ways = self.ways.iter().flatten().flatten();
-        self.readings.iter().any(|own| matches!(own, Err(Reason::Unfinished))) || ways.into_iter().any(Asked::is_cut)
+        self.readings.iter().any(|own| matches!(own, Err(Reason::Unfinished))) || ways.into_iter().any(WayResult::is_cut)
     }
 
     /// Returns the method of all finite values, or `mixed`.

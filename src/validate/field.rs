@@ -1,7 +1,7 @@
 //! A file with fields under one load: pressures away from the apex, kinks and the rim, displacements, and the force from the pressures.
 
 use super::exact::{Exact, Pressures};
-use super::loads::{BLIND_ROW, HEADROOM, Judge, decided, single};
+use super::loads::{BLIND_ROW, HEADROOM, Tolerances, decided, single};
 use super::mirrored::Mirrored;
 use super::norms::{GOLDEN, Norms, Outlier, Sample};
 use super::peak::{CUT, Peak};
@@ -94,7 +94,7 @@ pub(super) fn compare(
     exact: &Exact<'_>,
     state: &State,
     pixel: Pixel,
-    judge: Judge,
+    judge: Tolerances,
 ) -> Result<Compared, ValidationError> {
     let (a, room) = (state.radius, exact.room(state));
     let declared = scene.data.as_ref();
@@ -274,7 +274,7 @@ impl Sums {
         }
     }
 
-    fn add(&mut self, spot: &Spot, exact: f64, region: &Region, judge: Judge, pixel: Pixel) {
+    fn add(&mut self, spot: &Spot, exact: f64, region: &Region, judge: Tolerances, pixel: Pixel) {
         self.spots.push(*spot);
         // Within a pixel of a kink, the value at a point is not the mean over the pixel; exclude both from the force.
         let in_force = if !self.means && region.is_near_inner(spot.r, self.pixel) { f64::NAN } else { exact };
@@ -322,7 +322,7 @@ impl Sums {
         }
     }
 
-    fn report(&mut self, survey: &Survey<'_>, scene: &Scene, exact: &Exact<'_>, pixel: Pixel, judge: Judge) -> FileReport {
+    fn report(&mut self, survey: &Survey<'_>, scene: &Scene, exact: &Exact<'_>, pixel: Pixel, judge: Tolerances) -> FileReport {
         let at = |r: f64| survey.shown(if survey.index(Kind::Distance).is_some() { Kind::Distance } else { Kind::X }, r);
         let mut columns = Vec::new();
         let mut notes = survey.notes.clone();
@@ -362,7 +362,7 @@ impl Sums {
         }
     }
 
-    fn integrated(&self, exact: &Exact<'_>, (data, sum, radius): (f64, f64, f64), pixel: Pixel, judge: Judge) -> Column {
+    fn integrated(&self, exact: &Exact<'_>, (data, sum, radius): (f64, f64, f64), pixel: Pixel, judge: Tolerances) -> Column {
         // Pixels cut by the edge of a smooth contact, where p vanishes as a square root: O((h/a)^(3/2)).
         let narrow = (self.state.radius / self.room).sqrt();
         let grid = pixel.pixel.map_or(super::loads::BLIND, |h| 0.5 * (h / self.state.radius).powf(1.5) * narrow);

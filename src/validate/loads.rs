@@ -36,7 +36,7 @@ pub(super) struct Compared {
 
 /// Criteria for errors.
 #[derive(Clone, Copy)]
-pub(super) struct Judge {
+pub(super) struct Tolerances {
     /// The tolerance requested by the user.
     pub(super) demanded: Option<f64>,
     /// The tolerance of the solver.
@@ -63,7 +63,7 @@ const SLOPE: f64 = 0.05;
 /// Number of rows kept for orders, plots and the diagnosis.
 const KEPT: usize = 256;
 
-impl Judge {
+impl Tolerances {
     /// The maximum relative error of a single load, independent of its weight in the norm.
     ///
     /// The errors of single loads scatter around the discretization error, which requires some headroom.
@@ -113,7 +113,7 @@ pub(super) fn compare(
     scene: &Scene,
     exact: &Exact<'_>,
     pixel: Pixel,
-    judge: Judge,
+    judge: Tolerances,
 ) -> Result<Compared, ValidationError> {
     let declared = scene.data.as_ref();
     let control = control(survey, declared);

@@ -1,6 +1,6 @@
 //! The region in which pressures are compared, away from the apex, kinks and the edge, and the discretization error there.
 
-use super::exact::Sharp;
+use super::exact::Singularities;
 use super::loads::BLIND;
 
 /// Coefficient of (h/s)² at the distance s from an inner edge.
@@ -18,7 +18,7 @@ pub(super) struct Region {
 }
 
 impl Region {
-    pub(super) fn new(a: f64, margin: f64, sharp: &Sharp) -> Self {
+    pub(super) fn new(a: f64, margin: f64, sharp: &Singularities) -> Self {
         Self {
             a,
             margin,

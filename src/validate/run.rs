@@ -10,7 +10,7 @@ use super::{FileReport, Suspicion, Validation, ValidationError, field, loads};
 use crate::contact::{Boundary, Load, State};
 use crate::scene::{Change, Control, Dimension, Scene, Walls, scene_for_data};
 use crate::validate::diagnosis::placing::placings;
-use crate::validate::diagnosis::score::Gauge;
+use crate::validate::diagnosis::score::GridProperties;
 use crate::validate::file::column::Kind;
 use crate::validate::file::data::{Data, Source};
 use crate::validate::file::layout::Layout;
@@ -104,8 +104,8 @@ fn groups<'a, 's>(surveys: &'a mut [Survey<'s>]) -> Vec<(Content, Vec<&'a mut Su
     groups
 }
 
-fn judge(request: &Request<'_>, scene: &Scene) -> loads::Judge {
-    loads::Judge { demanded: request.tolerance, solver: scene.data.as_ref().map_or(0.0, |own| own.tolerance) }
+fn judge(request: &Request<'_>, scene: &Scene) -> loads::Tolerances {
+    loads::Tolerances { demanded: request.tolerance, solver: scene.data.as_ref().map_or(0.0, |own| own.tolerance) }
 }
 
 /// The result for the files of one kind.
@@ -204,7 +204,7 @@ fn together(parts: Vec<Part>, count: usize, notes: Vec<String>) -> Validation {
 struct Work<'w> {
     request: &'w Request<'w>,
     scene: &'w Scene,
-    judge: loads::Judge,
+    judge: loads::Tolerances,
 }
 
 impl Work<'_> {
@@ -246,7 +246,8 @@ impl Work<'_> {
             let pixel = files.last().and_then(|own| own.1.pixel);
             let margin = finest.rows.iter().map(|row| row.radius).fold(0.0, f64::max);
             let reach = exact.state(load).map_or(margin, |own| own.radius);
-            let gauge = Gauge { pixel, margin: reach, cell: None, solver: self.judge.solver, demanded: finest.tolerance, by_force };
+            let gauge =
+                GridProperties { pixel, margin: reach, cell: None, solver: self.judge.solver, demanded: finest.tolerance, by_force };
             let factors = files.last().map_or(Row { depth: 1.0, force: 1.0, radius: 1.0 }, |own| own.0.row_factors());
             let evidence = Evidence::Loads {
                 rows: finest.rows.clone(),
@@ -320,7 +321,7 @@ impl Work<'_> {
         };
         let cell = survey.cell(pixel.pixel);
         let (solver, by_force) = (self.judge.solver, self.declared_force());
-        let gauge = Gauge { pixel: pixel.pixel, margin: finest.margin, cell, solver, demanded: None, by_force };
+        let gauge = GridProperties { pixel: pixel.pixel, margin: finest.margin, cell, solver, demanded: None, by_force };
         let evidence = Evidence::Field {
             spots: finest.spots.clone(),
             state: *state,

@@ -5,7 +5,7 @@ use crate::cli::output::{OutputArguments, Tabular};
 use crate::cli::precision::PrecisionArguments;
 use crate::cli::quantities::Quantities;
 use crate::cli::{Failure, Outcome, budget, curve, input, points, series};
-use crate::contact::{self, Asked, Contact, ContactError, Explained, Measured, Quantity};
+use crate::contact::{self, Contact, ContactError, Explained, Measured, Quantity, WayResult};
 use crate::eval::constant_value;
 use crate::expr::Bindings;
 use crate::num::{Estimate, work};
@@ -303,12 +303,12 @@ fn warn_of_invalid_contact(quantity: Quantity, readings: &[Measured]) {
 /// The list, with the answer itself in front if its way gives another number alone, or is not in the list.
 ///
 /// A depth, radius or force that follows from others is `auto`: its way is the way of the numbers that it follows from.
-fn with_the_answer(mut asked: Vec<Asked>, reading: &Measured) -> Vec<Asked> {
+fn with_the_answer(mut asked: Vec<WayResult>, reading: &Measured) -> Vec<WayResult> {
     let Ok(own) = reading else { return asked };
     let alike = asked.iter().find(|other| other.way == own.way());
     if !alike.is_some_and(|other| other.found.as_ref().is_ok_and(|found| found.value == own.estimate.value)) {
         let way = if alike.is_some() { "auto" } else { own.way() };
-        asked.insert(0, Asked { way, found: Ok(own.estimate), steps: 0 });
+        asked.insert(0, WayResult { way, found: Ok(own.estimate), steps: 0 });
     }
     asked
 }

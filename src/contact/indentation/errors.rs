@@ -2,7 +2,7 @@
 
 use super::{Boundary, Indentation, Load, State};
 use crate::contact::ContactError;
-use crate::contact::radius::{Certain, certain};
+use crate::contact::radius::{CertainSigns, certain};
 use crate::num::{Bounded, Estimate};
 use crate::transform::Quantities;
 
@@ -50,7 +50,7 @@ impl Indentation<'_> {
             }
             (Boundary::Smooth, Load::Depth(target)) => {
                 let gap = |a: f64| Ok(self.contact.depth(a)?.estimate + given(-target));
-                let Certain { reach, spread, bound } = self.certain(gap, a)?;
+                let CertainSigns { reach, spread, bound } = self.certain(gap, a)?;
                 let radius = Estimate { error: reach, ..radius }.resting_on(bound);
                 // F_smooth(a) + 2E* a (d − g(a)) is right to second order in what a is off.
                 let own = doubted(self.force_at(state)?);
@@ -59,7 +59,7 @@ impl Indentation<'_> {
             }
             (Boundary::Smooth, Load::Force(target)) => {
                 let lack = |a: f64| Ok(self.contact.force(a)?.estimate + given(-target));
-                let Certain { reach, spread, bound } = self.certain(lack, a)?;
+                let CertainSigns { reach, spread, bound } = self.certain(lack, a)?;
                 let radius = Estimate { error: reach, ..radius }.resting_on(bound);
                 // g(a) + (F − F_smooth(a))/(2E* a) is right to second order as well.
                 let own = self.depth_under(state, a)?;
@@ -77,7 +77,7 @@ impl Indentation<'_> {
         Estimate { error, ..energy }.resting_on(own.radius.bound.and(own.depth.bound))
     }
 
-    fn certain(&self, mut gap: impl FnMut(f64) -> Result<Estimate, ContactError>, a: f64) -> Result<Certain, ContactError> {
+    fn certain(&self, mut gap: impl FnMut(f64) -> Result<Estimate, ContactError>, a: f64) -> Result<CertainSigns, ContactError> {
         let evaluator = self.contact.evaluator();
         let found = certain(&mut gap, a, self.landscape.flat, evaluator.limit())?;
         found.ok_or(ContactError::Unreachable { depth: a, reason: "g does not rise through this depth" })

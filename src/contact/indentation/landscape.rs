@@ -121,13 +121,13 @@ impl<'a> Landscape<'a> {
         });
         if concave || bent {
             let list = telling(&places, own.cells.as_ref().map(Cells::rising_ranges).unwrap_or_default());
-            own.sample(evaluator, &places, &Telling { list, dents: &dents, enough: 2.0 * scale })?;
+            own.sample(evaluator, &places, &SamplingPlaces { list, dents: &dents, enough: 2.0 * scale })?;
         }
         Ok(own)
     }
 
     /// g at the radii that determine where it increases, and the minima of f between them.
-    fn sample(&mut self, evaluator: &Superposition<'_>, places: &[f64], telling: &Telling<'_>) -> Result<(), TransformError> {
+    fn sample(&mut self, evaluator: &Superposition<'_>, places: &[f64], telling: &SamplingPlaces<'_>) -> Result<(), TransformError> {
         let mut seen = Vec::new();
         // Skips places where g cannot be evaluated.
         let mut look = |x: f64| seen.extend(evaluator.equivalent(x).ok().map(|g| (x, g.estimate.value, g.estimate.error)));
@@ -243,7 +243,7 @@ fn surely_above(g: f64, depth: f64) -> bool {
 }
 
 /// The places at which g is evaluated to find where it rises.
-struct Telling<'p> {
+struct SamplingPlaces<'p> {
     list: Vec<f64>,
     /// Places in and around narrow ranges with a negative bend.
     dents: &'p [f64],
@@ -251,7 +251,7 @@ struct Telling<'p> {
     enough: f64,
 }
 
-impl Telling<'_> {
+impl SamplingPlaces<'_> {
     /// Returns the near places that are always evaluated, and the others from coarse to fine.
     fn near(&self) -> (Vec<f64>, Vec<f64>) {
         let near = self.list.get(..self.list.len() - self.far().len()).unwrap_or_default();

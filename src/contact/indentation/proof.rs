@@ -172,7 +172,7 @@ impl Indentation<'_> {
             return Sign::Proven;
         }
         let climb = cells.climb(a);
-        let lift = Lift::new(shape, a, depth, a <= self.landscape.risen);
+        let lift = OutsideDisplacement::new(shape, a, depth, a <= self.landscape.risen);
         let mut ends = vec![start.max(a)];
         ends.extend(self.landscape.curvature.breakpoints().into_iter().filter(|b| *b > start && *b < reach));
         ends.push(reach);
@@ -196,17 +196,17 @@ impl Indentation<'_> {
             let own = shape.height(r).ok().map(|own| own.estimate).filter(|own| own.bound == Bound::Proven);
             own.map_or(f64::NEG_INFINITY, |own| own.value - own.error)
         };
-        let by_f_prime = curvature.f_prime_over(from, to).map_or(f64::NEG_INFINITY, |(low, high)| {
+        let from_f_prime = curvature.f_prime_over(from, to).map_or(f64::NEG_INFINITY, |(low, high)| {
             let width = (to - from) * (1.0 + 4.0 * f64::EPSILON);
             let (falls, rises) = (width * low.min(0.0), width * high.max(0.0));
             if falls == 0.0 { height(from) } else { (height(from) + falls).max(height(to) - rises) }
         });
-        if by_f_prime.is_nan() { plain } else { plain.max(by_f_prime) }
+        if from_f_prime.is_nan() { plain } else { plain.max(from_f_prime) }
     }
 }
 
 /// Bounds on the displacement outside a contact.
-struct Lift {
+struct OutsideDisplacement {
     a: f64,
     depth: f64,
     /// F/(π E*).
@@ -218,7 +218,7 @@ struct Lift {
 /// Maximum number of radii inside at which g is evaluated; fewer if g is expensive.
 const MOST_RADII: u32 = 96;
 
-impl Lift {
+impl OutsideDisplacement {
     fn new(shape: &impl Quantities, a: f64, depth: f64, rises: bool) -> Self {
         let proven = |own: Estimate| (own.bound == Bound::Proven).then_some(own);
         let least = |own: Estimate| FRAC_2_PI * (own.value - own.error) * (1.0 - 4.0 * f64::EPSILON);

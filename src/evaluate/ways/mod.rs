@@ -1,7 +1,7 @@
 //! The ways to a number: one entry each, for `--method`, for the list of `--explain` and for the tests of their bounds.
 //!
-//! A way computes the number, or returns `None` if it cannot. Each other file extends the evaluator by one quantity; `combine`
-//! tries the ways in order of their cost and returns the most accurate result.
+//! A way computes the number, or returns `None` if it cannot. `combine` adds closed forms and integrals, asks the ways in the order of
+//! their cost and returns the most accurate result; `pressure`, `height` and `energy` have what is special to these quantities.
 
 pub(crate) mod best;
 pub(crate) mod closed_slope;

@@ -118,9 +118,9 @@ impl Evaluator<'_> {
     pub(crate) fn finite_pressure(&self, r: f64, a: f64) -> Answer {
         let lost = TransformError::NotComputable { at: a };
         if r > 0.0 {
-            return by_quadrature(self.typed()?.stress_direct(r, a, self.tolerance)?.map(Some).ok_or(lost));
+            return by_quadrature(self.typed()?.pressure_by_elliptic_kernel(r, a, self.tolerance)?.map(Some).ok_or(lost));
         }
-        let level = self.typed_without_f_prime()?;
+        let level = self.typed_without_slopes_at_axis()?;
         let typed = level.as_ref().map_or_else(|| self.typed(), Ok)?;
         Best::of(
             self.tolerance,
@@ -135,12 +135,12 @@ impl Evaluator<'_> {
 
     /// The profile as typed, minus the slopes of its chains at the axis times r, if these slopes add up to 0 but are not all 0;
     /// `None` for every other profile.
-    fn typed_without_f_prime(&self) -> Result<Option<NumericProfile>, TransformError> {
+    fn typed_without_slopes_at_axis(&self) -> Result<Option<NumericProfile>, TransformError> {
         let mut slopes = Vec::new();
         for chain in &self.solution.profile.chains {
             let first = chain.f_primes()?.into_iter().next().unwrap_or(Expr::zero());
-            let Some(f_prime) = limit(&self.bindings.apply(&first)) else { return Ok(None) };
-            slopes.push(f_prime);
+            let Some(slope) = limit(&self.bindings.apply(&first)) else { return Ok(None) };
+            slopes.push(slope);
         }
         if slopes.iter().all(Expr::is_zero) || !normal::is_proven_zero(&Expr::sum(slopes.clone()), &Symbol::new("r")) {
             return Ok(None);

@@ -43,7 +43,7 @@ impl NumericSegment {
         Some(Angles { power, limit, weight, ..Angles::over(self, x) })
     }
 
-    /// EndDistances from the lower end between which one rule resolves f′, determined by enclosures; empty if one rule resolves the
+    /// Distances from the lower end between which one rule resolves f′, determined by enclosures; empty if one rule resolves the
     /// whole range, or without enclosures.
     ///
     /// They are used for integrals without a proven bound, which would otherwise miss narrow features between their nodes.

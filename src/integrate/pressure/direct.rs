@@ -11,7 +11,7 @@ use crate::num::{Bounded, Estimate, special, work};
 
 impl NumericProfile {
     /// ∫_s^a g′(x)/√(x²−s²) dx, which is p(s)·π/E* under a smooth edge: by the terms of f′ or by values of g′ if one smooth
-    /// piece reaches up to a, else by [`Self::stress_direct`].
+    /// piece reaches up to a, else by [`Self::pressure_by_elliptic_kernel`].
     ///
     /// `None` if the value is theoretically infinite: at a kink, and at the axis under a tip with f′(0) ≠ 0.
     ///
@@ -24,7 +24,7 @@ impl NumericProfile {
         let proven = way(LEGENDRE).or_else(|| self.proven_pressure(s, a, tolerance));
         match proven.or_else(|| way(LEGENDRE_SAMPLED)).or_else(|| way(OVER_U_SAMPLED)) {
             Some(found) => Ok(Some(found)),
-            None => self.stress_direct(s, a, tolerance),
+            None => self.pressure_by_elliptic_kernel(s, a, tolerance),
         }
     }
 
@@ -40,7 +40,7 @@ impl NumericProfile {
         tolerance: f64,
     ) -> Result<Option<Estimate>, TransformError> {
         match key {
-            ELLIPTIC => self.stress_direct(s, a, tolerance),
+            ELLIPTIC => self.pressure_by_elliptic_kernel(s, a, tolerance),
             _ => self.pressure_of_smooth(key, s, a, tolerance).map(Some).ok_or(not_this_way(key)),
         }
     }
@@ -78,7 +78,7 @@ impl NumericProfile {
     ///
     /// # Errors
     /// [`TransformError`] if (r f′)′ is not finite below a, or no digit is reliable.
-    pub fn stress_direct(&self, s: f64, a: f64, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
+    pub fn pressure_by_elliptic_kernel(&self, s: f64, a: f64, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         finite_and_not_negative("r", s)?;
         finite_and_not_negative("a", a)?;
         let Some(total) = self.pressure_of_jumps(s, a) else { return Ok(None) };

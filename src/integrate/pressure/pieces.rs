@@ -16,7 +16,7 @@ const MOST_ROOT: i32 = 4;
 const ENCLOSED_KERNEL: u64 = 45;
 
 impl NumericProfile {
-    /// ∫₀^a (r f′)′ K(r, s) dr + Σ b δ K(b, s) with a proven bound, as [`Self::stress_direct`]; `None` where the enclosures of (r
+    /// ∫₀^a (r f′)′ K(r, s) dr + Σ b δ K(b, s) with a proven bound, as [`Self::pressure_by_elliptic_kernel`]; `None` where the enclosures of (r
     /// f′)′ do not become small in time, and at the axis, where K is infinite.
     pub(crate) fn pressure_by_pieces(&self, s: f64, a: f64, tolerance: f64) -> Option<Estimate> {
         if !(s > 0.0 && s < a && a.is_normal()) {

@@ -1,8 +1,8 @@
 //! The diagnosis of files with fields.
 
-use super::hypothesis::{self, Columns, Exchange, Slip, Taken};
+use super::hypothesis::{self, ColumnMistake, Columns, Exchange, SolvedProblem};
 use super::images::{self, Images};
-use super::score::{Gauge, Score};
+use super::score::{GridProperties, Score};
 use super::{Evidence, Ranked, Trial, Tried, minimum, minimum_by, score, thinned};
 use crate::contact::{Load, State};
 use crate::parse;
@@ -44,10 +44,11 @@ impl Trial<'_> {
         let mut tried = Vec::new();
         for fault in self.faults(&hypothesis::of_field(columns, self.gauge.pixel, *factors)) {
             let spots = placed(&spots, &fault.slip, *factors);
-            if fault.taken == Taken::AsIs {
+            if fault.taken == SolvedProblem::AsIs {
                 // An inferred pixel scales with the coordinates, a declared pixel does not.
                 let factor = fault.slip.distance;
-                let slipped = Gauge { margin: self.gauge.margin / factor, pixel: self.gauge.pixel.map(|h| h / factor), ..*self.gauge };
+                let slipped =
+                    GridProperties { margin: self.gauge.margin / factor, pixel: self.gauge.pixel.map(|h| h / factor), ..*self.gauge };
                 for gauge in [slipped, *self.gauge] {
                     let found = score::field(&known, &spots, &gauge);
                     tried.extend(found.map(|score| Tried { id: fault.id, text: fault.text.clone(), score, free: false, rough: false }));
@@ -76,7 +77,7 @@ impl Trial<'_> {
     /// Checks for pressures that are correct up to some pixels inside the edge, and 0 beyond.
     fn lost(&self, known: &Pressures<'_>, all: &[Spot]) -> Option<Ranked> {
         let (a, pixel) = (known.state.radius, self.gauge.pixel?);
-        let gauge = Gauge { margin: pixel, ..*self.gauge };
+        let gauge = GridProperties { margin: pixel, ..*self.gauge };
         let (kept, gone): (Vec<Spot>, Vec<Spot>) = all.iter().filter(|spot| spot.r < a).partition(|spot| spot.p != 0.0);
         let end = kept.iter().map(|spot| spot.r).fold(0.0, f64::max);
         if end > a - 1.5 * pixel || gone.iter().any(|spot| spot.r < end) {
@@ -201,7 +202,7 @@ fn held_load(control: Control, state: &State) -> Load {
 }
 
 /// Returns the points with the mistake undone.
-fn placed(spots: &[Spot], slip: &Slip, (length, pressure): (f64, f64)) -> Vec<Spot> {
+fn placed(spots: &[Spot], slip: &ColumnMistake, (length, pressure): (f64, f64)) -> Vec<Spot> {
     let one = |spot: &Spot| match slip.columns {
         Exchange::DistanceAndPressure => Spot { r: (spot.p / pressure * length).abs(), p: spot.r / length * pressure, ..*spot },
         _ => Spot { r: spot.r / slip.distance, p: spot.p / slip.pressure, ..*spot },

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 /// The problem that the solver may have solved instead of the scene.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::validate) enum Taken {
+pub(in crate::validate) enum SolvedProblem {
     /// The scene itself.
     AsIs,
     /// The scene with one changed value.
@@ -20,7 +20,7 @@ pub(in crate::validate) enum Taken {
 
 /// Mistakes in the data: factors by which the true values of the columns were multiplied.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::validate) struct Slip {
+pub(in crate::validate) struct ColumnMistake {
     pub(in crate::validate) depth: f64,
     pub(in crate::validate) force: f64,
     pub(in crate::validate) radius: f64,
@@ -65,26 +65,27 @@ impl Exchange {
     }
 }
 
-impl Slip {
+impl ColumnMistake {
     pub(in crate::validate) const NONE: Self =
         Self { depth: 1.0, force: 1.0, radius: 1.0, distance: 1.0, pressure: 1.0, ahead: 0, force_ahead: 0, columns: Exchange::Nothing };
 }
 
-/// Creates a fault without a fitted number.
+/// A common mistake: the problem that the solver solved instead, and what is wrong in its data.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::validate) struct Fault {
     pub(in crate::validate) id: &'static str,
     pub(in crate::validate) text: String,
-    pub(in crate::validate) taken: Taken,
-    pub(in crate::validate) slip: Slip,
+    pub(in crate::validate) taken: SolvedProblem,
+    pub(in crate::validate) slip: ColumnMistake,
 }
 
-fn taken(id: &'static str, text: impl Into<String>, taken: Taken) -> Fault {
-    Fault { id, text: text.into(), taken, slip: Slip::NONE }
+/// Creates a fault without a fitted number.
+fn taken(id: &'static str, text: impl Into<String>, taken: SolvedProblem) -> Fault {
+    Fault { id, text: text.into(), taken, slip: ColumnMistake::NONE }
 }
 
-fn slip(id: &'static str, text: impl Into<String>, slip: Slip) -> Fault {
-    Fault { id, text: text.into(), taken: Taken::AsIs, slip }
+fn slip(id: &'static str, text: impl Into<String>, slip: ColumnMistake) -> Fault {
+    Fault { id, text: text.into(), taken: SolvedProblem::AsIs, slip }
 }
 
 /// Returns the faults of a model: another modulus or another shape.
@@ -95,15 +96,15 @@ pub(in crate::validate) fn of_the_model(scene: &Scene, without_poisson: Option<f
         list.push(taken(
             "modulus",
             format!("E used as E*: the data fit Young's modulus E = {factor:.4} E* instead of E* = E/(1 - nu^2)"),
-            Taken::Modulus(factor),
+            SolvedProblem::Modulus(factor),
         ));
         let text = "E* used as E: the data fit E*/(1 - nu^2), so E was divided by 1 - nu^2 twice";
-        list.push(taken("modulus", text, Taken::Modulus(1.0 / factor)));
+        list.push(taken("modulus", text, SolvedProblem::Modulus(1.0 / factor)));
     }
     let rim = scene.rim.is_some().then(|| "radius".to_owned());
     for name in scene.parameters.iter().map(|own| own.0.clone()).chain(rim) {
         for (size, ratio) in [("twice", (2, 1)), ("half", (1, 2))] {
-            let change = Taken::Changed(Change::Times { name: name.clone(), ratio });
+            let change = SolvedProblem::Changed(Change::Times { name: name.clone(), ratio });
             let fits = format!("the data fit {size} the {name} of the scene");
             list.push(if is_angle(scene, &name) {
                 taken("angle", format!("opening angle and half-opening angle confused: {fits}"), change)
@@ -114,10 +115,10 @@ pub(in crate::validate) fn of_the_model(scene: &Scene, without_poisson: Option<f
         list.push(taken(
             "angle",
             format!("half-opening angle and surface angle confused: the data fit 90 degrees minus the {name} of the scene"),
-            Taken::Changed(Change::Complement { name: name.clone() }),
+            SolvedProblem::Changed(Change::Complement { name: name.clone() }),
         ));
         for (degrees, text) in [(1, "radians were read as degrees or degrees as radians"), (-1, "degrees were read as radians")] {
-            let turn = Taken::Changed(Change::Turn { name: name.clone(), degrees });
+            let turn = SolvedProblem::Changed(Change::Turn { name: name.clone(), degrees });
             list.push(taken("unit", format!("unit slip: {text} in {name}"), turn));
         }
     }
@@ -125,9 +126,13 @@ pub(in crate::validate) fn of_the_model(scene: &Scene, without_poisson: Option<f
         (0.5, "the data fit half of E*, as for two equal elastic bodies, or for a factor of 1/2 instead of 1 in E*"),
         (2.0, "the data fit twice E*"),
     ] {
-        list.push(taken("modulus", text, Taken::Modulus(factor)));
+        list.push(taken("modulus", text, SolvedProblem::Modulus(factor)));
     }
-    list.push(taken("profile", "paraboloid instead of the profile: the data fit the osculating paraboloid, not f itself", Taken::Parabola));
+    list.push(taken(
+        "profile",
+        "paraboloid instead of the profile: the data fit the osculating paraboloid, not f itself",
+        SolvedProblem::Parabola,
+    ));
     list
 }
 
@@ -165,7 +170,7 @@ fn smaller(unit: &str, power: i32) -> Option<String> {
 }
 
 /// Creates the fault of numbers that are too large or too small by a power of ten, with the unit that they have instead of their own.
-fn power_of_ten(symbols: &[&str], columns: &Columns, (power, factor): (i32, f64), of: fn(f64) -> Slip) -> Fault {
+fn power_of_ten(symbols: &[&str], columns: &Columns, (power, factor): (i32, f64), of: fn(f64) -> ColumnMistake) -> Fault {
     let known = |symbol: &&str| columns.iter().find(|own| own.0 == *symbol);
     let names: Vec<&str> = symbols.iter().map(|symbol| known(symbol).map_or(*symbol, |own| own.1)).collect();
     let are = if names.len() > 1 { "are" } else { "is" };
@@ -177,7 +182,7 @@ fn power_of_ten(symbols: &[&str], columns: &Columns, (power, factor): (i32, f64)
 }
 
 /// Creates the faults of numbers that are too large or too small by the ratio of two units.
-fn ratio_of_units(symbol: &str, (factor, names): (f64, &str), of: fn(f64) -> Slip) -> [Fault; 2] {
+fn ratio_of_units(symbol: &str, (factor, names): (f64, &str), of: fn(f64) -> ColumnMistake) -> [Fault; 2] {
     [("large", factor), ("small", 1.0 / factor)]
         .map(|(size, own)| slip("unit", format!("unit slip: {symbol} is {factor} times too {size}, the ratio of {names}"), of(own)))
 }
@@ -199,31 +204,31 @@ const FACTORS: [(&str, f64, &str); 10] = [
 /// Returns the faults of files with loads.
 pub(in crate::validate) fn of_loads(columns: &Columns) -> Vec<Fault> {
     let mut list = Vec::new();
-    let none = Slip::NONE;
+    let none = ColumnMistake::NONE;
     for (id, force, text) in FACTORS {
         let what = if id == "sign" { "F is reversed" } else { "the exact force is in column F" };
-        list.push(slip(id, format!("{text} {what}"), Slip { force, ..none }));
+        list.push(slip(id, format!("{text} {what}"), ColumnMistake { force, ..none }));
     }
     list.push(slip(
         "sign",
         "tension and compression confused: depths and forces have the opposite sign",
-        Slip { force: -1.0, depth: -1.0, ..none },
+        ColumnMistake { force: -1.0, depth: -1.0, ..none },
     ));
-    list.push(slip("sign", "the depths have the opposite sign", Slip { depth: -1.0, ..none }));
+    list.push(slip("sign", "the depths have the opposite sign", ColumnMistake { depth: -1.0, ..none }));
     for ten in tens() {
-        list.push(power_of_ten(&["F"], columns, ten, |force| Slip { force, ..Slip::NONE }));
-        list.push(power_of_ten(&["d"], columns, ten, |depth| Slip { depth, ..Slip::NONE }));
-        list.push(power_of_ten(&["a"], columns, ten, |radius| Slip { radius, ..Slip::NONE }));
-        list.push(power_of_ten(&["d", "a"], columns, ten, |own| Slip { depth: own, radius: own, ..Slip::NONE }));
+        list.push(power_of_ten(&["F"], columns, ten, |force| ColumnMistake { force, ..ColumnMistake::NONE }));
+        list.push(power_of_ten(&["d"], columns, ten, |depth| ColumnMistake { depth, ..ColumnMistake::NONE }));
+        list.push(power_of_ten(&["a"], columns, ten, |radius| ColumnMistake { radius, ..ColumnMistake::NONE }));
+        list.push(power_of_ten(&["d", "a"], columns, ten, |own| ColumnMistake { depth: own, radius: own, ..ColumnMistake::NONE }));
     }
     for units in [(9.806_65, "kgf and N"), (4.448_221_615_260_5, "lbf and N")] {
-        list.extend(ratio_of_units("F", units, |force| Slip { force, ..Slip::NONE }));
+        list.extend(ratio_of_units("F", units, |force| ColumnMistake { force, ..ColumnMistake::NONE }));
     }
     for (depth, text) in [(2.0, "column d contains twice the depth"), (0.5, "column d contains half of the depth")] {
         list.push(slip(
             "reference",
             format!("another reference for depth: {text}, as for one of two equal bodies"),
-            Slip { depth, ..none },
+            ColumnMistake { depth, ..none },
         ));
     }
     for (id, radius, text) in [
@@ -232,7 +237,7 @@ pub(in crate::validate) fn of_loads(columns: &Columns) -> Vec<Fault> {
         ("pi", PI.sqrt(), "a missing pi: column a contains the square root of the contact area"),
         ("pi", 1.0 / PI.sqrt(), "a missing pi: column a contains a/sqrt(pi)"),
     ] {
-        list.push(slip(id, text, Slip { radius, ..none }));
+        list.push(slip(id, text, ColumnMistake { radius, ..none }));
     }
     for (columns, text) in [
         (Exchange::DepthAndForce, "d contains the forces and F the depths"),
@@ -241,15 +246,15 @@ pub(in crate::validate) fn of_loads(columns: &Columns) -> Vec<Fault> {
         (Exchange::Forwards, "d contains the forces, F the contact radii and a the depths"),
         (Exchange::Backwards, "d contains the contact radii, F the depths and a the forces"),
     ] {
-        list.push(slip("swapped-columns", format!("swapped columns: {text}"), Slip { columns, ..none }));
+        list.push(slip("swapped-columns", format!("swapped columns: {text}"), ColumnMistake { columns, ..none }));
     }
     for (ahead, text) in [(1, "next"), (-1, "previous")] {
         let what = "another load level: F and a belong to the depth of the";
-        list.push(slip("level", format!("{what} {text} row"), Slip { ahead, ..none }));
+        list.push(slip("level", format!("{what} {text} row"), ColumnMistake { ahead, ..none }));
         list.push(slip(
             "level",
             format!("another load level: F belongs to the depth of the {text} row"),
-            Slip { force_ahead: ahead, ..none },
+            ColumnMistake { force_ahead: ahead, ..none },
         ));
     }
     list
@@ -258,29 +263,29 @@ pub(in crate::validate) fn of_loads(columns: &Columns) -> Vec<Fault> {
 /// Returns the faults of files with pressures; the pixel is optional, and `factors` converts the columns r and p to computing units.
 pub(in crate::validate) fn of_field(columns: &Columns, pixel: Option<f64>, (length, pressure): (f64, f64)) -> Vec<Fault> {
     let mut list = Vec::new();
-    let none = Slip::NONE;
+    let none = ColumnMistake::NONE;
     if let Some(pixel) = pixel {
         // A force per pixel in computing units, in units of the column, or in computing units in a column with another unit.
         for area in [pixel * pixel, (pixel / length).powi(2), pixel * pixel * pressure] {
             let text = "force per pixel instead of pressure: column p contains p times the area of a pixel";
-            list.push(slip("force-per-pixel", text, Slip { pressure: area, ..none }));
+            list.push(slip("force-per-pixel", text, ColumnMistake { pressure: area, ..none }));
         }
     }
     for (id, pressure, text) in FACTORS {
         let what = if id == "sign" { "p is reversed" } else { "the exact pressure is in column p" };
-        list.push(slip(id, format!("{text} {what}"), Slip { pressure, ..none }));
+        list.push(slip(id, format!("{text} {what}"), ColumnMistake { pressure, ..none }));
     }
     for ten in tens() {
-        list.push(power_of_ten(&["p"], columns, ten, |pressure| Slip { pressure, ..Slip::NONE }));
-        list.push(power_of_ten(&["r"], columns, ten, |distance| Slip { distance, ..Slip::NONE }));
+        list.push(power_of_ten(&["p"], columns, ten, |pressure| ColumnMistake { pressure, ..ColumnMistake::NONE }));
+        list.push(power_of_ten(&["r"], columns, ten, |distance| ColumnMistake { distance, ..ColumnMistake::NONE }));
     }
     for units in [(6_894.757_293_168, "psi and Pa"), (9.806_65, "kgf and N"), (1e6 / 98_066.5, "MPa and kgf/cm^2")] {
-        list.extend(ratio_of_units("p", units, |pressure| Slip { pressure, ..Slip::NONE }));
+        list.extend(ratio_of_units("p", units, |pressure| ColumnMistake { pressure, ..ColumnMistake::NONE }));
     }
     for (distance, text) in [(2.0, "column r contains twice the distance"), (0.5, "column r contains half of the distance")] {
-        list.push(slip("diameter", format!("diameter and radius confused: {text}"), Slip { distance, ..none }));
+        list.push(slip("diameter", format!("diameter and radius confused: {text}"), ColumnMistake { distance, ..none }));
     }
     let text = "swapped columns: r contains the pressures and p the distances";
-    list.push(slip("swapped-columns", text, Slip { columns: Exchange::DistanceAndPressure, ..none }));
+    list.push(slip("swapped-columns", text, ColumnMistake { columns: Exchange::DistanceAndPressure, ..none }));
     list
 }

@@ -1,6 +1,6 @@
 //! The diagnosis of files with loads.
 
-use super::hypothesis::{self, Exchange, Fault, Slip, Taken};
+use super::hypothesis::{self, ColumnMistake, Exchange, Fault, SolvedProblem};
 use super::{Ranked, TRIED, Trial, Tried, minimum, score, thinned};
 use crate::contact::{Load, State};
 use crate::validate::exact::{Exact, States};
@@ -33,25 +33,27 @@ impl Trial<'_> {
         for (index, fault) in order {
             let level = fault.slip.ahead != 0 || fault.slip.force_ahead != 0;
             // Forces are proportional to the modulus.
-            let force = if let Taken::Modulus(factor) = fault.taken { factor } else { 1.0 };
-            let slip = Slip { force: force * fault.slip.force, ..fault.slip };
+            let force = if let SolvedProblem::Modulus(factor) = fault.taken { factor } else { 1.0 };
+            let slip = ColumnMistake { force: force * fault.slip.force, ..fault.slip };
             let rows = corrected(if level { neighbours } else { rows }, &slip, factors);
             let own = score::largest(&rows, self.gauge.by_force);
             let load = if self.gauge.by_force { slip.force } else { slip.depth };
             let stays = load == 1.0 && slip.ahead == 0 && slip.force_ahead == 0 && slip.columns == Exchange::Nothing;
             let score = match fault.taken {
-                Taken::AsIs | Taken::Modulus(_) if stays => score::under(&exact, &rows, &states, self.gauge),
-                Taken::AsIs | Taken::Modulus(_) if is_near(own, largest) => {
+                SolvedProblem::AsIs | SolvedProblem::Modulus(_) if stays => score::under(&exact, &rows, &states, self.gauge),
+                SolvedProblem::AsIs | SolvedProblem::Modulus(_) if is_near(own, largest) => {
                     self.limited(|| score::again(&exact, &known, &rows, self.gauge))
                 }
-                Taken::AsIs | Taken::Modulus(_) => {
+                SolvedProblem::AsIs | SolvedProblem::Modulus(_) => {
                     if far_states.as_ref().is_none_or(|known| known.0 != own) {
                         let states = |exact: Exact<'_>| score::states(&exact, &rows, self.gauge.by_force);
                         far_states = self.limited(|| Exact::new(self.scene, &solution, own).ok().map(states)).map(|found| (own, found));
                     }
                     far_states.as_ref().and_then(|(_, states)| score::under(&exact, &rows, states, self.gauge))
                 }
-                Taken::Changed(_) | Taken::Parabola => self.with(&fault.taken, &exact, own, |exact| score::loads(exact, &rows, self.gauge)),
+                SolvedProblem::Changed(_) | SolvedProblem::Parabola => {
+                    self.with(&fault.taken, &exact, own, |exact| score::loads(exact, &rows, self.gauge))
+                }
             };
             found.extend(score.map(|score| (index, Tried { id: fault.id, text: fault.text.clone(), score, free: false, rough: false })));
         }
@@ -135,7 +137,7 @@ fn is_near(load: Load, largest: Load) -> bool {
 }
 
 /// Returns the rows with the mistake undone.
-fn corrected(rows: &[Row], slip: &Slip, factors: &Row) -> Vec<Row> {
+fn corrected(rows: &[Row], slip: &ColumnMistake, factors: &Row) -> Vec<Row> {
     let rows: Vec<Row> = rows.iter().filter_map(|row| slip.columns.exchanged(row, factors)).collect();
     let at = |index: usize, ahead: i32| index.checked_add_signed(-ahead as isize).and_then(|own| rows.get(own));
     let one = |(index, row): (usize, &Row)| {

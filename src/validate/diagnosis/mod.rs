@@ -17,9 +17,9 @@ use crate::parse;
 use crate::scene::{Change, Control, Dimension, Scene, scene_for_data};
 use crate::transform::Profile;
 use crate::validate::file::row::Row;
-use hypothesis::{Columns, Fault, Taken};
+use hypothesis::{Columns, Fault, SolvedProblem};
 use placing::Placing;
-use score::{Gauge, Score};
+use score::{GridProperties, Score};
 use std::cell::Cell;
 
 /// The data that failed.
@@ -74,7 +74,7 @@ struct Tried {
 }
 
 /// Finds the fault that explains the data; an error if the budget does not suffice for the search.
-pub(super) fn diagnose(text: &str, scene: &Scene, evidence: &Evidence, gauge: &Gauge) -> Result<Option<Suspicion>, Unfinished> {
+pub(super) fn diagnose(text: &str, scene: &Scene, evidence: &Evidence, gauge: &GridProperties) -> Result<Option<Suspicion>, Unfinished> {
     let trial = Trial { text, scene, gauge, left: Cell::new(ALL) };
     let search = || {
         let (before, tried) = match evidence {
@@ -129,12 +129,12 @@ fn thinned<T: Copy>(items: &[T]) -> Vec<T> {
 struct Trial<'t> {
     text: &'t str,
     scene: &'t Scene,
-    gauge: &'t Gauge,
+    gauge: &'t GridProperties,
     /// Number of steps left for exact solutions of hypotheses.
     left: Cell<u64>,
 }
 
-/// Returns the faults found so far and all hypotheses that can be tested.
+/// The score of the data as they are, and every hypothesis that was tested.
 type Ranked = (Option<Score>, Vec<Tried>);
 
 impl Trial<'_> {
@@ -152,15 +152,15 @@ impl Trial<'_> {
     }
 
     /// Tests the exact solutions of the problems that the solver may have solved instead of the scene.
-    fn with<T>(&self, taken: &Taken, exact: &Exact<'_>, largest: Load, ask: impl FnOnce(&Exact<'_>) -> Option<T>) -> Option<T> {
+    fn with<T>(&self, taken: &SolvedProblem, exact: &Exact<'_>, largest: Load, ask: impl FnOnce(&Exact<'_>) -> Option<T>) -> Option<T> {
         let scene = match taken {
-            Taken::AsIs => self.scene.clone(),
-            Taken::Changed(change) => {
+            SolvedProblem::AsIs => self.scene.clone(),
+            SolvedProblem::Changed(change) => {
                 let changed = scene_for_data(self.text, change).ok()?;
                 Scene { tip: self.scene.tip.clone(), ..changed }
             }
-            Taken::Modulus(factor) => Scene { effective_modulus: self.scene.effective_modulus * factor, ..self.scene.clone() },
-            Taken::Parabola => {
+            SolvedProblem::Modulus(factor) => Scene { effective_modulus: self.scene.effective_modulus * factor, ..self.scene.clone() },
+            SolvedProblem::Parabola => {
                 let scale = self.scene.rim.unwrap_or(self.gauge.margin.max(f64::MIN_POSITIVE) * 4.0);
                 let bend = exact.bend(scale)?;
                 let profile = Profile::new(&parse::profile(&format!("{bend:e}*r^2")).ok()?).ok()?;

@@ -5,7 +5,7 @@ use crate::validate::exact::{Exact, Pressures, States};
 use crate::validate::field::{Spot, places};
 use crate::validate::file::row::Row;
 use crate::validate::file::survey::Cell;
-use crate::validate::loads::{BLIND_RADIUS, Judge};
+use crate::validate::loads::{BLIND_RADIUS, Tolerances};
 use crate::validate::norms::Norms;
 use crate::validate::norms::ratio;
 use crate::validate::region::{Region, excused};
@@ -13,7 +13,7 @@ use std::cell::RefCell;
 
 /// Properties of the grid of the scored data.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::validate) struct Gauge {
+pub(in crate::validate) struct GridProperties {
     pub(in crate::validate) pixel: Option<f64>,
     /// The distance between compared pressures and singular points.
     pub(in crate::validate) margin: f64,
@@ -36,7 +36,7 @@ pub(in crate::validate) struct Score {
 }
 
 impl Score {
-    /// Returns the largest error relative to its tolerance.
+    /// Returns the index of the column whose error is largest relative to its discretization error.
     pub(in crate::validate) fn worst(&self) -> usize {
         usize::from(self.shares[1] > self.shares[0])
     }
@@ -60,12 +60,12 @@ pub(in crate::validate) fn largest(rows: &[Row], by_force: bool) -> Load {
 }
 
 /// Returns the score of rows with loads; `None` if most loads have no contact.
-pub(in crate::validate) fn loads(exact: &Exact<'_>, rows: &[Row], gauge: &Gauge) -> Option<Score> {
+pub(in crate::validate) fn loads(exact: &Exact<'_>, rows: &[Row], gauge: &GridProperties) -> Option<Score> {
     under(exact, rows, &states(exact, rows, gauge.by_force), gauge)
 }
 
 /// Returns the same score with states that are shared by many trials.
-pub(in crate::validate) fn again(exact: &Exact<'_>, known: &RefCell<States<'_>>, rows: &[Row], gauge: &Gauge) -> Option<Score> {
+pub(in crate::validate) fn again(exact: &Exact<'_>, known: &RefCell<States<'_>>, rows: &[Row], gauge: &GridProperties) -> Option<Score> {
     let states: Vec<Option<State>> = rows.iter().map(|row| known.borrow_mut().at(load(row, gauge.by_force))).collect();
     under(exact, rows, &states, gauge)
 }
@@ -76,8 +76,8 @@ pub(in crate::validate) fn states(exact: &Exact<'_>, rows: &[Row], by_force: boo
 }
 
 /// Returns the score of rows with known states.
-pub(in crate::validate) fn under(exact: &Exact<'_>, rows: &[Row], states: &[Option<State>], gauge: &Gauge) -> Option<Score> {
-    let judge = Judge { demanded: gauge.demanded, solver: gauge.solver };
+pub(in crate::validate) fn under(exact: &Exact<'_>, rows: &[Row], states: &[Option<State>], gauge: &GridProperties) -> Option<Score> {
+    let judge = Tolerances { demanded: gauge.demanded, solver: gauge.solver };
     let (mut main, mut radius, mut lost) = (Norms::new(true), Norms::new(true), 0);
     for (row, state) in rows.iter().zip(states) {
         let load = load(row, gauge.by_force);
@@ -104,7 +104,7 @@ pub(in crate::validate) fn under(exact: &Exact<'_>, rows: &[Row], states: &[Opti
 }
 
 /// Returns the score of pressures under a state; `None` if too few points can be compared.
-pub(in crate::validate) fn field(pressures: &Pressures<'_>, spots: &[Spot], gauge: &Gauge) -> Option<Score> {
+pub(in crate::validate) fn field(pressures: &Pressures<'_>, spots: &[Spot], gauge: &GridProperties) -> Option<Score> {
     let state = &pressures.state;
     let a = state.radius;
     let region = Region::new(a, gauge.margin, &pressures.sharp);

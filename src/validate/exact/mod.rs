@@ -26,7 +26,7 @@ pub(in crate::validate) struct Exact<'a> {
 }
 
 /// Singularities of the profile that a pixel cannot resolve.
-pub(in crate::validate) struct Sharp {
+pub(in crate::validate) struct Singularities {
     /// True if the tip is not smooth at the axis.
     pub(in crate::validate) apex: bool,
     /// The radii of kinks.
@@ -40,7 +40,6 @@ impl<'a> Exact<'a> {
     pub(in crate::validate) fn new(scene: &Scene, solution: &'a Solution, largest: Load) -> Result<Self, ContactError> {
         let Scene { effective_modulus, rim, tolerance, method, .. } = *scene;
         let setup = Setup { effective_modulus, rim, tolerance, method };
-        // Do not fail for absurd loads, such as data in wrong units.
         let tips = || scene.tip.as_ref().map(MeasuredTip::profile).map(|own| Part::new(Arc::clone(own))).into_iter().collect();
         let bodies = scene.parts()?;
         let made = |largest| Indentation::between(&bodies, Some(solution), tips(), setup, largest);
@@ -99,7 +98,7 @@ impl<'a> Exact<'a> {
     }
 
     /// Returns the singularities within a radius.
-    pub(in crate::validate) fn sharp(&self, within: f64) -> Sharp {
+    pub(in crate::validate) fn sharp(&self, within: f64) -> Singularities {
         let bend = |r: f64| self.indentation.shape().profile(r).map_or(0.0, |own| own.estimate.value.abs() / (r * r));
         let (near, nearer) = (bend(1e-3 * within), bend(1e-5 * within));
         let kinks: Vec<f64> = self.indentation.kinks().map(|own| own.0).filter(|own| *own > 0.0).collect();
@@ -110,7 +109,7 @@ impl<'a> Exact<'a> {
         if bends.len() > MOST_BENDS {
             bends.clear();
         }
-        Sharp { apex: nearer > 1.5 * near, kinks, bends }
+        Singularities { apex: nearer > 1.5 * near, kinks, bends }
     }
 
     /// Returns the distance between the edge of a contact and the nearest kink inside; the contact radius if there is none.
@@ -152,7 +151,7 @@ pub(in crate::validate) struct Pressures<'c> {
     shape: &'c Contact<'c, Superposition<'c>>,
     pub(in crate::validate) state: State,
     /// The singularities within the contact.
-    pub(in crate::validate) sharp: Sharp,
+    pub(in crate::validate) sharp: Singularities,
     curve: Option<PressureCurve<'c>>,
     /// p next to the axis where it is the same as on the axis; filled when it is first needed.
     next_to_axis: OnceCell<Option<f64>>,
