@@ -1,7 +1,7 @@
 //! Error bounds of fields that follow from the errors of the contact radius and the depth.
 
 use super::{Control, Dimension, Quantity, Run};
-use crate::contact::{Boundary, Estimates, State};
+use crate::contact::{Boundary, Estimates, Kind, State};
 use crate::num::Bound;
 use crate::num::stable::leg;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -22,6 +22,8 @@ pub(super) struct Doubt {
     slack: f64,
     /// The error of the depth of a flat-ended punch.
     rim: f64,
+    /// The error of the depth.
+    depth: f64,
     /// Whether the errors are proven or estimated.
     pub(super) bound: Bound,
 }
@@ -47,7 +49,8 @@ impl Run<'_> {
             _ => 0.0,
         };
         let factor = self.scene().effective_modulus / PI;
-        let doubt = Doubt { factor, a, radius: radius.error, rise, rounding, slack, rim, bound: radius.bound.and(depth.bound) };
+        let doubt =
+            Doubt { factor, a, radius: radius.error, rise, rounding, slack, rim, depth: depth.error, bound: radius.bound.and(depth.bound) };
         Some(doubt).filter(|own| [own.radius, own.rise, own.slack, own.rim].iter().all(|own| own.is_finite()))
     }
 
@@ -83,6 +86,10 @@ impl Doubt {
                 self.factor * (self.slack + self.rim) * kernel * MARGIN + ROUNDED * value.abs()
             }
             Quantity::Displacement => (self.slack + self.rim) * MARGIN,
+            Quantity::LineDisplacement => self.depth,
+            Quantity::LineLoad => PI * self.factor * self.depth * MARGIN + ROUNDED * value.abs(),
+            // Nothing is known of a field that is not in this list.
+            other if other.kind() == Kind::Field => f64::INFINITY,
             _ => 0.0,
         }
     }

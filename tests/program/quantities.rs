@@ -24,9 +24,9 @@ fn functions_of_a_load_are_shown_as_functions() {
 #[test]
 fn every_command_answers_or_refuses_every_quantity() {
     let commands: [(&[&str], usize); 5] = [
-        (&["eval", "r^2/4", "--at", "0.2", "--radius", "0.5", "--json"], 18),
-        (&["derive", "r^2/4", "--json"], 16),
-        (&["plot", "r^2/4", "--radius", "0.5"], 15),
+        (&["eval", "r^2/4", "--at", "0.2", "--radius", "0.5", "--json"], Quantity::ALL.len()),
+        (&["derive", "r^2/4", "--json"], Quantity::ALL.iter().filter(|own| own.has_formula()).count()),
+        (&["plot", "r^2/4", "--radius", "0.5"], Quantity::ALL.iter().filter(|own| own.kind() != Kind::Inverse).count()),
         (&["code", "r^2/4", "--lang", "c"], 6),
         (&["tradeoff", "r^2/4", "--budget", "0.05"], 3),
     ];
@@ -51,6 +51,18 @@ fn every_command_answers_or_refuses_every_quantity() {
         }
         assert_eq!(answered, count, "{command:?}");
     }
+}
+
+/// The help of `eval` says which quantities need the contact radius.
+#[test]
+fn the_help_of_eval_names_every_field() {
+    let help = String::from_utf8(run(&["eval", "--help"]).stdout).unwrap();
+    let keys: Vec<&str> = Quantity::ALL.iter().filter(|own| own.needs_radius()).map(|own| own.key()).collect();
+    let (last, others) = keys.split_last().unwrap();
+    let radius = help.split("--radius <A>").nth(1).unwrap();
+    assert!(radius.trim_start().starts_with("Contact radius, for "), "{help}");
+    let named: Vec<&str> = radius.trim_start().split("for ").nth(1).unwrap().split('\n').next().unwrap().split([',', ' ']).collect();
+    assert!(others.iter().chain([last]).all(|own| named.iter().any(|other| other.trim_end_matches('.') == *own)), "{named:?}");
 }
 
 /// The keys in the first column of the table of `docs/quantities.md`.

@@ -134,3 +134,23 @@ fn shapes_blend_into_simpler_ones() {
     let tiny = force("shape = 'truncated-paraboloid'\nparameters = { b = 1e-12, R = 2 }", 0.1);
     close("truncated paraboloid", tiny, paraboloid(2.0, 0.1), 1e-15);
 }
+
+/// The error of the depth under a given force is an error of the line load and of its displacement. Under 1e-7 the tip is worn to a radius of 1,
+/// which the contact exceeds by 6e-18; the references solve F(a) = 1e-7 by mpmath with 60 digits.
+#[test]
+fn line_loads_have_the_error_of_their_depth() {
+    let text = "[profile]\nf = 'piecewise(0, r<b, (r^2-b^2)/(2*R))'\nparameters = { R = 5, b = 1 }\n[material]\neffective_modulus = 70\n\
+                [load]\nforce = 1e-7\n[outputs]\nquantities = ['q', 'u_1d']\nat = [0.1, 0.99999]\n";
+    let scene = scene(text).unwrap();
+    let solution = scene.solution().unwrap();
+    let run = Run::new(&scene, &solution).unwrap();
+    let state = run.state(0, false).unwrap();
+    // The doubles next to the values, and what is left of the values.
+    for (curve, value, rest) in [(Quantity::LineDisplacement, 7.142857142857143e-10, -1.6463e-26), (Quantity::LineLoad, 5e-8, 2.1563e-24)] {
+        for (_, point) in run.curve(curve, Some(state)) {
+            let (found, error) = point.value.unwrap();
+            let off = ((found - value) - rest).abs();
+            assert!(off <= error && error < 1e-12 * value, "{curve:?}: {found:e} is off by {off:e}, and claims {error:e}");
+        }
+    }
+}

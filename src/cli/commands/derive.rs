@@ -89,5 +89,9 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 
 /// Checks whether `derive` supports a quantity.
 fn has_formula(quantity: Quantity) -> Result<(), &'static str> {
-    if quantity.has_formula() { Ok(()) } else { Err("derive has no formulas in terms of the force; use eval for values") }
+    match quantity.coordinate() {
+        _ if quantity.has_formula() => Ok(()),
+        "F" => Err("derive has no formulas in terms of the force; use eval for values"),
+        _ => Err("derive has no formula for it; use eval for values"),
+    }
 }
