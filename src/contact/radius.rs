@@ -46,9 +46,9 @@ const ENDS: i32 = 15;
 const BENT: f64 = 1e-3;
 /// Maximum number of bisections per decade, by the cost of one evaluation of g in steps.
 const HALVINGS: [(u64, u32); 3] = [(5_000, 8), (200_000, 6), (u64::MAX, 4)];
-/// Waves are resolved up to this number if g takes at most [`CHEAP`] steps.
+/// Waves are resolved up to this number, or as many as these steps suffice for with eight values of g each.
 const MOST_WAVES: f64 = 500.0;
-const CHEAP: u64 = 20_000;
+const STEPS_FOR_WAVES: f64 = 8e7;
 /// Number of bisections that are made in any case.
 const CERTAIN: u32 = 2;
 /// Maximum number of iterations to locate a local maximum of g, or the radius where g ceases to exist.
@@ -404,16 +404,15 @@ impl RootSearch<'_> {
     }
 
     /// Bisects an interval recursively wherever g deviates from a power law, as often as the cost of g next to its upper end allows, and
-    /// within the first [`MOST_WAVES`] waves to an eighth of a wave.
+    /// within the first waves to an eighth of a wave.
     ///
     /// The first [`CERTAIN`] bisections are always made, because an oscillation may match the power law at one point.
     fn between(&mut self, one: (f64, f64), two: (f64, f64), cost: u64, level: u32, places: &mut Vec<(f64, f64)>) {
         let most = HALVINGS.into_iter().find(|(most, _)| cost <= *most).map_or(0, |(_, halvings)| halvings);
         let middle = self.middle(one.0, two.0);
-        let has_waves = cost <= CHEAP && {
-            let wave = (self.wave)(two.0);
-            8.0 * (two.0 - one.0) > wave && one.0 < MOST_WAVES * wave
-        };
+        let most_waves = (STEPS_FOR_WAVES / (8.0 * cost.max(1) as f64)).min(MOST_WAVES);
+        let wave = [one.0, middle, two.0].into_iter().map(|a| (self.wave)(a)).fold(f64::INFINITY, f64::min);
+        let has_waves = 8.0 * (two.0 - one.0) > wave && one.0 < most_waves * wave;
         if (level >= most && !has_waves) || middle <= one.0 || middle >= two.0 || work::is_exhausted() {
             return;
         }

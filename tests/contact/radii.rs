@@ -114,6 +114,19 @@ fn the_first_root_of_many_waves_is_found() {
     }
 }
 
+/// Class "not the first root". Waves that become shorter outward, for which g is integrated: the references are by mpmath beside a scan of forty
+/// points per wave.
+#[test]
+fn the_first_root_of_shortening_waves_is_found() {
+    for (text, depth, root) in [
+        ("[s]*((r/[s])^2/20+0.01*sin((r/[s])^3))", 1.5, 3.696_904_731_789_072),
+        ("[s]*((r/[s])/5+0.05*sin(5*(r/[s])+20*sin(r/[s])))", 2.522_114_548_612_051, 5.786_322_512_585_65),
+    ] {
+        let (found, _) = radius(text, 1.0, depth).unwrap();
+        assert!((found.estimate.value / root - 1.0).abs() < 1e-12, "{text}: {found:?}");
+    }
+}
+
 /// Beyond its maximum a falling g overflows; its slopes are too large for products with radii.
 #[test]
 fn a_falling_g_is_proven_to_stay_below() {
