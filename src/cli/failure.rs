@@ -88,10 +88,7 @@ impl Failure {
 
     /// Creates an error for a scene that cannot be read or solved, with the position in its text.
     pub(super) fn scene(name: &str, text: &str, error: &SceneError) -> Self {
-        let mut failure = Self::new(error.to_string());
-        if let Some(help) = error.accepted() {
-            failure = failure.help(help);
-        }
+        let failure = Self::unplaced(error);
         match error.span() {
             Some(span) => failure.at(name, text, span),
             None => Self { message: format!("{name}: {}", failure.message), ..failure },
@@ -100,7 +97,12 @@ impl Failure {
 
     /// Creates an error for the value of an option, which was read in the units of a scene.
     pub(super) fn argument(option: &str, value: &str, error: &SceneError) -> Self {
-        let failure = Self::new(error.to_string()).at(option, value, 0..value.len());
+        Self::unplaced(error).at(option, value, 0..value.len())
+    }
+
+    /// Creates an error with the message and the help of a scene error.
+    fn unplaced(error: &SceneError) -> Self {
+        let failure = Self::new(error.to_string());
         match error.accepted() {
             Some(help) => failure.help(help),
             None => failure,
@@ -292,15 +294,15 @@ pub(super) fn report_usage(error: &clap::Error) {
 /// Converts an error of the argument parser.
 fn usage(error: &clap::Error) -> Failure {
     let context = |kind| match error.get(kind) {
-        Some(ContextValue::Strings(list)) => list.join(", "),
+        // Every short word is similar to `help`.
+        Some(ContextValue::Strings(list)) => list.iter().map(String::as_str).filter(|own| *own != "help").collect::<Vec<_>>().join(", "),
         Some(other) => other.to_string(),
         None => String::new(),
     };
     let argument = context(ContextKind::InvalidArg);
     let suggestion = |kind| match context(kind) {
         meant if meant.is_empty() => String::new(),
-        // `help` is near to any short word.
-        meant => format!("did you mean {}? ", meant.replacen("help, ", "", 1)),
+        meant => format!("did you mean {meant}? "),
     };
     let options = "run with --help for the list of options";
     match error.kind() {

@@ -6,7 +6,7 @@ use super::units::{CallUnits, finite};
 use crate::contact::rim_radius;
 use crate::expr::{Bindings, Expr, Formula, Node, Number, Symbol};
 use crate::parse::{self, ParseError};
-use crate::scene::{Dimension, Shape, known_shape};
+use crate::scene::{Dimension, DimensionedNumber, Shape, known_shape};
 use crate::transform::{Profile, TransformError};
 use std::f64::consts::FRAC_PI_2;
 use std::io::{self, Read};
@@ -190,7 +190,7 @@ impl Settings {
                 ));
             }
             if value >= FRAC_PI_2 && dimension.is_none() && typed.formula.expressions().into_iter().any(|expr| has_angle(expr, &symbol)) {
-                let bare = text.trim().parse::<f64>().is_ok();
+                let bare = DimensionedNumber::parse(text).is_ok_and(|own| own.unit().is_none());
                 let unit = if bare { "; a number without a unit is in radians" } else { "" };
                 warn(&format!("{symbol} = {} is not below 90 deg{unit}", text.trim()));
             }

@@ -211,7 +211,7 @@ impl Builder<'_> {
         } else {
             let has_waves = self.routines.iter().any(|own| own.name == STEP);
             let within = if has_waves { "within five hundred waves of f, and beyond them " } else { "" };
-            comment.push(format!("a is the first root of g(a) = d {within}if g has no waves shorter than a quarter of it."));
+            comment.push(format!("a is the first root of g(a) = d {within}if g has no waves shorter than a/4."));
         }
         comment.push(format!("Source: {}.", references.join("; ")));
         comment.push(format!("Domain: {}.", domain.1.join(", ")));
@@ -446,9 +446,7 @@ impl Builder<'_> {
                 continue;
             }
             let Some(form) = self.forms.iter().find(|own| own.name == name).cloned() else {
-                let elsewhere = [Language::C, Language::Fortran, Language::Python, Language::Matlab]
-                    .iter()
-                    .any(|own| own.target().library(&name).is_some());
+                let elsewhere = Language::ALL.iter().any(|own| own.target().library(&name).is_some());
                 return Err(CodeError::Function { elsewhere, quantity: quantity.key(), function: name, language: self.language.title() });
             };
             self.needed(&form, quantity)?;

@@ -45,6 +45,11 @@ pub struct NamedShape {
     pub meanings: Vec<(String, String)>,
 }
 
+impl Language {
+    /// Every language.
+    pub(super) const ALL: [Self; 6] = [Self::C, Self::Fortran, Self::Python, Self::Matlab, Self::Rust, Self::Nanite];
+}
+
 impl Program {
     /// Sets the shape, which models for fits show.
     #[must_use]

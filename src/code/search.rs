@@ -112,11 +112,11 @@ impl Builder<'_> {
     /// Adds the routine for the steps of the search, an eighth of the shortest wave of f at a radius; false if f has no waves.
     fn step(&mut self) -> Result<bool, CodeError> {
         let numbers = wave_numbers(&self.solution.profile);
-        let mut body = Vec::new();
-        let mut largest = Value::Number(f64::MIN_POSITIVE, true);
         if numbers.is_empty() {
             return Ok(false);
         }
+        let mut body = Vec::new();
+        let mut largest = Value::Number(f64::MIN_POSITIVE, true);
         for own in numbers {
             let (statements, value) = self.lowered(&own)?;
             body.extend(statements);
@@ -132,9 +132,9 @@ impl Builder<'_> {
     }
 }
 
-/// The number of steps within the first five hundred waves, which are an eighth of a wave.
+/// Counts the steps within the first five hundred waves.
 const COUNT: &str = "let _steps = 0;";
-/// Such a step.
+/// Limits a step to an eighth of a wave.
 const WITHIN_WAVES: &str = "if _steps < 4000 { _reach = min(_reach, _high - _inner + step(_high)); _steps = _steps + 1; }";
 /// Among the values at three radii an eighth of a wave apart, the middle one is less below the crest than four times their second
 /// difference.

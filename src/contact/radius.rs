@@ -46,8 +46,9 @@ const ENDS: i32 = 15;
 const BENT: f64 = 1e-3;
 /// Maximum number of bisections per decade, by the cost of one evaluation of g in steps.
 const HALVINGS: [(u64, u32); 3] = [(5_000, 8), (200_000, 6), (u64::MAX, 4)];
-/// Waves are resolved up to this number, or as many as these steps suffice for with eight values of g each.
+/// Maximum number of waves that are resolved.
 const MOST_WAVES: f64 = 500.0;
+/// Maximum number of steps for that, with eight values of g for each wave.
 const STEPS_FOR_WAVES: f64 = 8e7;
 /// Number of bisections that are made in any case.
 const CERTAIN: u32 = 2;

@@ -3,6 +3,7 @@
 use super::{Dimension, DimensionedNumber, SceneError, Unit};
 use crate::expr::Expr;
 use crate::scene::file::dimensioned::to_f64;
+use num_traits::{One, Zero};
 use std::ops::Range;
 
 /// The output units; names are empty if the system has none.
@@ -220,10 +221,11 @@ fn example(dimension: Dimension) -> String {
         own if own == Dimension::PRESSURE => "\"72 GPa\"".to_owned(),
         own => {
             let (length, force) = own.exponents();
-            let power = |unit: &str, exponent: &Expr| match exponent.as_number()?.to_f64() {
-                0.0 => None,
-                1.0 => Some(unit.to_owned()),
-                other => Some(format!("{unit}^{other}")),
+            let power = |unit: &str, exponent: &Expr| match exponent.as_number()?.value() {
+                zero if zero.is_zero() => None,
+                one if one.is_one() => Some(unit.to_owned()),
+                whole if whole.is_integer() => Some(format!("{unit}^{whole}")),
+                ratio => Some(format!("{unit}^({ratio})")),
             };
             let units: Vec<String> = [power("uN", &force), power("um", &length)].into_iter().flatten().collect();
             format!("\"0.1 {}\"", units.join("*"))

@@ -58,11 +58,9 @@ fn every_command_answers_or_refuses_every_quantity() {
 fn the_help_of_eval_names_every_field() {
     let help = String::from_utf8(run(&["eval", "--help"]).stdout).unwrap();
     let keys: Vec<&str> = Quantity::ALL.iter().filter(|own| own.needs_radius()).map(|own| own.key()).collect();
-    let (last, others) = keys.split_last().unwrap();
-    let radius = help.split("--radius <A>").nth(1).unwrap();
-    assert!(radius.trim_start().starts_with("Contact radius, for "), "{help}");
-    let named: Vec<&str> = radius.trim_start().split("for ").nth(1).unwrap().split('\n').next().unwrap().split([',', ' ']).collect();
-    assert!(others.iter().chain([last]).all(|own| named.iter().any(|other| other.trim_end_matches('.') == *own)), "{named:?}");
+    let line = help.lines().skip_while(|own| !own.contains("--radius <A>")).nth(1).unwrap();
+    let words: Vec<&str> = line.split([',', ' ']).collect();
+    assert!(line.trim().starts_with("Contact radius, for ") && keys.iter().all(|key| words.contains(key)), "{line}: {keys:?}");
 }
 
 /// The keys in the first column of the table of `docs/quantities.md`.

@@ -145,11 +145,13 @@ fn line_loads_have_the_error_of_their_depth() {
     let solution = scene.solution().unwrap();
     let run = Run::new(&scene, &solution).unwrap();
     let state = run.state(0, false).unwrap();
-    // The doubles next to the values, and what is left of the values.
-    for (curve, value, rest) in [(Quantity::LineDisplacement, 7.142857142857143e-10, -1.6463e-26), (Quantity::LineLoad, 5e-8, 2.1563e-24)] {
+    // Each reference is the sum of a double and a remainder.
+    for (curve, value, remainder) in
+        [(Quantity::LineDisplacement, 7.142857142857143e-10, -1.6463e-26), (Quantity::LineLoad, 5e-8, 2.1563e-24)]
+    {
         for (_, point) in run.curve(curve, Some(state)) {
             let (found, error) = point.value.unwrap();
-            let off = ((found - value) - rest).abs();
+            let off = ((found - value) - remainder).abs();
             assert!(off <= error && error < 1e-12 * value, "{curve:?}: {found:e} is off by {off:e}, and claims {error:e}");
         }
     }

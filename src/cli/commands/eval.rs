@@ -172,7 +172,9 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let profile = settings.bound_profile(&typed)?;
     if profile.is_flat() && by_load {
         let message = format!("{} of a flat punch depends on the radius of its rim", quantity.left(false));
-        return Err(Failure::new(message).help("give F, d or p under a rim with --at or --radius and --depth, or solve a scene"));
+        return Err(
+            Failure::new(message).help("use --quantity F with the radius in --at and the depth in --depth, or solve a scene with a radius")
+        );
     }
     if profile.is_flat() && depth.is_none() && quantity.needs_contact() {
         return Err(failed(TransformError::Flat.into()));

@@ -67,10 +67,9 @@ pub fn text(own: &Validation, out: &mut dyn Write) -> io::Result<()> {
     own.notes.iter().map(String::as_str).chain(own.cut_short).try_for_each(|note| writeln!(out, "note: {note}"))
 }
 
-/// Returns the title of the column of coordinates, with their unit if they have one.
+/// Returns the title of the column with the coordinates of the largest errors, such as `worst at r / um`.
 fn worst_at(file: &FileReport) -> String {
-    let unit = file.plots.first().and_then(|own| own.across.split_once(" / "));
-    unit.map_or_else(|| "worst at".to_owned(), |(_, unit)| format!("worst at ({unit})"))
+    file.plots.first().map_or_else(|| "worst at".to_owned(), |own| format!("worst at {}", own.across))
 }
 
 /// Returns an error relative to exact values, or "-" where all of them are 0.
