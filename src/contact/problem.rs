@@ -1,5 +1,6 @@
 //! The numbers of a contact: depth, force, stiffness, pressure, displacement, energy and the inverse a(d).
 
+use super::radius::features::Features;
 use super::radius::{self, DepthSamples};
 use super::{ContactError, Explicit};
 use crate::num::quadrature::{Options, Panel, Point, integrate};
@@ -20,6 +21,8 @@ pub struct Contact<'a, P: Quantities + ?Sized = Evaluator<'a>> {
     tolerance: f64,
     /// Samples of g, shared by the contact radii of all depths.
     radii: Arc<DepthSamples>,
+    /// The curvature of f, shared by all searches.
+    features: Arc<Features>,
     inverse: Inverse,
 }
 
@@ -146,8 +149,16 @@ impl<P: Quantities> Contact<'_, P> {
     /// assert_eq!(contact.force(1.0).unwrap().estimate.value, 2.0);
     /// ```
     pub fn new(evaluator: P, effective_modulus: f64, depth: Option<f64>, tolerance: f64) -> Self {
-        let (evaluator, radii) = (Arc::new(evaluator), Arc::default());
-        Self { evaluator, formula: PhantomData, effective_modulus, depth, tolerance, radii, inverse: Inverse::Root }
+        Self {
+            evaluator: Arc::new(evaluator),
+            formula: PhantomData,
+            effective_modulus,
+            depth,
+            tolerance,
+            radii: Arc::default(),
+            features: Arc::default(),
+            inverse: Inverse::Root,
+        }
     }
 
     /// Returns the same contact with the type of its profile erased.
@@ -159,6 +170,7 @@ impl<P: Quantities> Contact<'_, P> {
             depth: self.depth,
             tolerance: self.tolerance,
             radii: Arc::clone(&self.radii),
+            features: Arc::clone(&self.features),
             inverse: self.inverse.clone(),
         }
     }
@@ -190,6 +202,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
             depth,
             tolerance: self.tolerance,
             radii: Arc::clone(&self.radii),
+            features: Arc::clone(&self.features),
             inverse: self.inverse.clone(),
         }
     }
@@ -202,6 +215,11 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// The profile's evaluator.
     pub fn evaluator(&self) -> &P {
         &self.evaluator
+    }
+
+    /// The narrow features of the profile.
+    pub(super) fn features(&self) -> &Features {
+        &self.features
     }
 
     /// Returns the profile's evaluator as a shared pointer.

@@ -1,11 +1,13 @@
 //! The contact radius at a given depth: the first root of g(a) = d, independent of the unit of length.
 
+pub(super) mod features;
 pub(super) mod unreachable;
 
 use super::{Contact, ContactError};
 use crate::num::roots::{RootOptions, bracketed};
 use crate::num::{Bound, Estimate, work};
 use crate::transform::{Quantities, Reading, TransformError};
+use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
 /// Samples of g in order of increasing radius; each search extends those of the previous one.
@@ -22,6 +24,8 @@ struct SearchState {
     smallest: f64,
     /// Number of consecutive radii at which the error of g exceeded its value.
     lost: u32,
+    /// Indices of the radii up to which narrow features were looked for, from the radius before.
+    examined: BTreeSet<usize>,
     /// The largest g so far, and the number of radii sampled since then.
     largest: f64,
     idle: u32,
@@ -62,6 +66,8 @@ const EXPENSIVE: u64 = 1_000_000;
 const LEAP: usize = 20;
 /// The distance from a root at which its sign is certain is increased by at most this factor at once.
 const MOST_MISSING: f64 = 64.0;
+/// Narrow features are looked for between this number of radii before a root.
+const DECADES: usize = 4;
 /// Ratio of depths below which the smaller one is negligible.
 const NOTHING: f64 = 1e-9;
 /// The search ends after this many consecutive samples without a new maximum of g.
@@ -99,7 +105,9 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(
     let stays_below = || unreachable::stays_below(evaluator, depth);
     let near = || near_axis(evaluator, start, |_, g| g < depth);
     let wave = |a: f64| evaluator.shortest_wave(a);
-    let found = root(&mut height, &stays_below, radii, depth, Span { near: &near, start, limit, wave: &wave })?;
+    let features = |lower: f64, upper: f64| contact.features().between(evaluator, lower, upper);
+    let span = Span { near: &near, start, limit, wave: &wave, features: &features };
+    let found = root(&mut height, &stays_below, radii, depth, span)?;
     let (a, CertainSigns { reach, bound, .. }) = found.map_err(|absence| match absence {
         NoRadius::Proven(reason) => ContactError::Unreachable { depth, reason },
         NoRadius::Unproven(reason) => ContactError::NotFound { depth, reason },
@@ -117,6 +125,8 @@ pub(super) struct Span<'a> {
     pub(super) limit: f64,
     /// The length of the shortest wave of f at a radius.
     pub(super) wave: &'a dyn Fn(f64) -> f64,
+    /// The radii between two others at which the function may have a maximum that is narrow.
+    pub(super) features: &'a dyn Fn(f64, f64) -> Vec<f64>,
 }
 
 /// The largest of the radii to sample up to which `is_below` holds for the radius and a bound on |g| there; 0 if there is none.
@@ -154,13 +164,13 @@ pub(super) fn root(
     target: f64,
     span: Span<'_>,
 ) -> Result<Result<(f64, CertainSigns), NoRadius>, ContactError> {
-    let Span { near, start, limit, wave } = span;
+    let Span { near, start, limit, wave, features } = span;
     let mut with_digits = |a: f64| {
         let Estimate { value, error, .. } = height(a)?;
         if error > value.abs() { Err(TransformError::NoDigits { at: a, value, error }) } else { Ok(value) }
     };
     let places = outward(start, limit);
-    let mut look = RootSearch { height: &mut with_digits, stays_below, near, start, limit, wave, places, refused: None };
+    let mut look = RootSearch { height: &mut with_digits, stays_below, near, start, limit, wave, features, places, refused: None };
     let (lower, upper) = match look.bracket(radii, target)? {
         Ok(found) => found,
         Err(absence) => return Ok(Err(absence)),
@@ -225,6 +235,7 @@ struct RootSearch<'a> {
     start: f64,
     limit: f64,
     wave: &'a dyn Fn(f64) -> f64,
+    features: &'a dyn Fn(f64, f64) -> Vec<f64>,
     /// The radii to sample, in increasing order.
     places: Vec<f64>,
     /// The error of a method that has no value at some radius.
@@ -307,6 +318,10 @@ impl RootSearch<'_> {
                 Some(error) => seen.refused = Some(error),
             }
         };
+        let place = self.before_features(&mut seen, place, depth);
+        if let Err(cut) = work::check() {
+            return Err(TransformError::from(cut).into());
+        }
         let found = place.and_then(|place| Some((place, seen.places.get(place)?.0)));
         let Some((place, upper)) = found else {
             *radii.0.lock().unwrap_or_else(PoisonError::into_inner) = seen;
@@ -320,6 +335,43 @@ impl RootSearch<'_> {
             None if self.start > 0.0 => Ok(Ok((self.start, upper))),
             None => self.inward(upper, depth).map(Ok),
         }
+    }
+
+    /// The first sample that reaches the depth once narrow features before it, or before the largest sample, are sampled as well.
+    fn before_features(&mut self, seen: &mut SearchState, place: Option<usize>, depth: f64) -> Option<usize> {
+        let largest = || seen.places.iter().max_by(|one, other| one.1.total_cmp(&other.1));
+        let (reached, _) = place.map_or_else(largest, |place| seen.places.get(place)).copied()?;
+        let last = self.places.partition_point(|a| *a < reached);
+        // Beyond the largest sample, a feature may be the only place that reaches the depth.
+        let last = if place.is_some() { last } else { last + 1 };
+        let mut found = false;
+        for index in last.saturating_sub(DECADES - 1)..=last {
+            let lower = index.checked_sub(1).and_then(|before| self.places.get(before)).copied().unwrap_or(self.start);
+            let Some(upper) = self.places.get(index).copied() else { continue };
+            if !seen.examined.insert(index) {
+                continue;
+            }
+            for a in (self.features)(lower, upper) {
+                let at = seen.places.partition_point(|own| own.0 < a);
+                if seen.places.get(at).is_some_and(|own| own.0 == a) {
+                    continue;
+                }
+                if let Ok(g) = self.value(a) {
+                    seen.places.insert(at, (a, g));
+                    found = true;
+                }
+            }
+            if found {
+                let within = |own: &(f64, f64)| own.0 <= upper;
+                let first = seen.places.partition_point(|own| own.0 < lower).saturating_sub(1);
+                let end = (seen.places.partition_point(within) + 1).min(seen.places.len());
+                let mut beyond = seen.places.split_off(end);
+                self.climb(first, &mut seen.places);
+                seen.places.append(&mut beyond);
+            }
+        }
+        self.refused = None;
+        if found { seen.places.iter().position(|(_, g)| *g >= depth) } else { place }
     }
 
     /// Divides the radius by ten until g is less than the depth.

@@ -1,5 +1,6 @@
 //! The interface between a contact and its profile, which may be a formula, a closure or a table.
 
+use crate::derive::profile::Profile;
 use crate::evaluate::curve::PressureCurve;
 use crate::evaluate::evaluator::{Evaluator, Method, Reading};
 use crate::integrate::error::TransformError;
@@ -85,6 +86,11 @@ pub trait Quantities: Send + Sync {
         None
     }
 
+    /// The formulas, with numbers for all parameters, whose sum is f; `None` if a part of f is not a formula.
+    fn formulas(&self) -> Option<Vec<Profile>> {
+        None
+    }
+
     /// Numbers s > −1 and M such that |f′| ≤ M r^s from the axis to a radius that no breakpoint precedes; `None` if unknown.
     fn power_at_axis(&self, radius: f64) -> Option<(f64, f64)> {
         self.f_prime_over(0.0, radius).map(|(low, high)| (0.0, low.abs().max(high.abs())))
@@ -148,6 +154,10 @@ impl Quantities for Evaluator<'_> {
             (Some(one), Some(other)) => Some((one.0.max(other.0), one.1.min(other.1))),
             (one, other) => one.or(other),
         }
+    }
+
+    fn formulas(&self) -> Option<Vec<Profile>> {
+        Some(vec![self.solution.profile.substitute(&self.bindings).ok()?])
     }
 
     fn power_at_axis(&self, radius: f64) -> Option<(f64, f64)> {

@@ -1,5 +1,6 @@
 //! Superposition of profiles: formulas, tables and closures at the same contact radius.
 
+use crate::derive::profile::Profile;
 use crate::evaluate::curve::PressureCurve;
 use crate::evaluate::evaluator::Reading;
 use crate::evaluate::quantities::Quantities;
@@ -152,6 +153,10 @@ impl Quantities for Superposition<'_> {
 
     fn f_prime_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
         sum_of_ranges(self.parts.iter().map(|part| part.f_prime_over(lower, upper)))
+    }
+
+    fn formulas(&self) -> Option<Vec<Profile>> {
+        self.parts.iter().map(|part| part.formulas()).collect::<Option<Vec<_>>>().map(|parts| parts.concat())
     }
 
     fn power_at_axis(&self, radius: f64) -> Option<(f64, f64)> {

@@ -127,6 +127,37 @@ fn the_first_root_of_shortening_waves_is_found() {
     }
 }
 
+/// Class "not the first root". Rings from a thirtieth to a ten-thousandth of their radius, and cusps of g at kinks, just below whose top the
+/// depth lies: the references are by mpmath with 40 digits, and g(x) = x²/R before the kink.
+#[test]
+fn the_first_root_at_narrow_features_is_found() {
+    for unit in [1e-9, 0.37, 1.0, 7e6] {
+        for (text, depth, root) in [
+            (
+                "[s]*((r/[s])^2/(2*9.532150516490486)+0.0016155392432620234*exp(-(r/[s]-0.27054534583845374)^2/0.008103027162236614^2))",
+                0.016_425_056_905_278_842,
+                0.264_835_207_003_895_25,
+            ),
+            ("[s]*((r/[s])^2/2+0.001/cosh((r/[s]-1)/0.0001))", 1.05, 0.999_847_439_425_090_6),
+            ("[s]*((r/[s])^2/2+0.01*max(0,1-abs(r/[s]-1)/0.001))", 1.1, 0.999_051_961_947_704_1),
+            ("[s]*min((r/[s])^2/1.4,0.3)", 0.599_999_999_94, 0.648_074_069_808_382_4),
+            ("[s]*(min((r/[s])^2/1.4,0.3)+0.01*r/[s])", 0.610_179_923_622_951_3, 0.648_074_069_808_109_5),
+        ] {
+            let (found, _) = radius(text, unit, depth * unit).unwrap();
+            assert!((found.estimate.value / unit / root - 1.0).abs() < 1e-15, "{text} {unit}: {found:?}");
+        }
+    }
+}
+
+/// Class "not the first root". The force falls where g does: under a narrow ring the smaller of several contact radii is found.
+#[test]
+fn the_first_radius_under_a_force_at_a_narrow_ring_is_found() {
+    let ring = contact("r^2/2+0.001/cosh((r-1)/0.0001)", 1.0);
+    let before = ring.force(0.9999).unwrap().estimate.value;
+    let found = ring.radius_under_force(before).unwrap().estimate;
+    assert!((found.value - 0.9999).abs() <= found.error && found.error < 1e-14, "{found:?}");
+}
+
 /// Beyond its maximum a falling g overflows; its slopes are too large for products with radii.
 #[test]
 fn a_falling_g_is_proven_to_stay_below() {

@@ -7,6 +7,7 @@ use sneddon::num::Bound;
 use sneddon::parse;
 use sneddon::transform::{Evaluator, Method, Profile, Solution, TransformError, Way, derive};
 use sneddon_checks::decimal::Decimal;
+use sneddon_checks::random::Stream;
 use sneddon_checks::seeds::cases;
 
 fn solution(text: &str) -> Solution {
@@ -91,6 +92,31 @@ fn theory_decides_what_is_infinite() {
     for text in ["piecewise(r^2,r<1,2*r-1)", "abs(r-1)^3", "max(0,r-1)^2"] {
         assert!(at(text, 1.0).is_ok_and(f64::is_finite), "{text}");
     }
+}
+
+/// Class "radii far below a kink": where the pressure of a piece that begins at the axis and ends at a kink b has a logarithm, it is
+/// slope/π (π/2 arcosh(a/r) − ∫_b^a (x arccos(b/x))′/√(x² − r²) dx), of which the integral, by mpmath for r = 0, changes by (r/b)².
+#[test]
+fn pressures_far_below_a_kink_are_within_their_errors() {
+    use std::f64::consts::{FRAC_PI_2, PI};
+    let (a, slope, kink) = (1.9f64, 0.7, 2.484_971_103_166_057_5);
+    let mut worst = 0.0f64;
+    for text in ["piecewise(0.7*r,r<0.53,0.7*0.53)", "min(0.7*r,0.7*0.53)"] {
+        let solution = solution(text);
+        for key in ["pieces", "elliptic", "mixed", "recognised"] {
+            let contact = contact(&solution, Method::Only(Way::of(key).unwrap()));
+            let mut draw = Stream::new(7);
+            for _ in 0..cases(40, 400) {
+                let r = a * draw.log_uniform(1e-18, 1e-9);
+                let truth = slope / PI * (FRAC_PI_2 * (a / r).acosh() - kink);
+                let found = contact.pressure(r, a).unwrap().unwrap().estimate;
+                let off = (found.value - truth).abs();
+                assert!(off <= found.error + 4e-15, "{text} {key} {r:e}: {found:?}, off by {off:e}");
+                worst = worst.max(off / truth);
+            }
+        }
+    }
+    assert!(worst < 1e-15, "{worst:e}");
 }
 
 /// The Evaluator refuses what is no place, and answers at once.

@@ -16,7 +16,7 @@ pub(super) struct Cell {
 }
 
 /// The cells of a profile, in order.
-pub(super) struct Cells {
+pub(in crate::contact) struct Cells {
     list: Vec<Cell>,
     kinks: Vec<Kink>,
     /// A lower bound on g′ in every cell, computed when first needed.
@@ -43,6 +43,15 @@ const ROUNDING: f64 = 1e-12;
 impl Cells {
     /// Encloses the bend from the axis to `far`, finely up to `fine` where its sign is undecided. `None` without enclosures.
     pub(super) fn new(curvature: &Curvature<'_>, kinks: &[Kink], floor: f64, fine: f64, far: f64) -> Option<Self> {
+        let mut own = Self::signs(curvature, kinks, floor, far)?;
+        if !own.bends_up() {
+            own.refine(curvature, fine);
+        }
+        Some(own)
+    }
+
+    /// Encloses the bend from the axis to `far`, beyond `floor` as narrowly as its sign requires. `None` without enclosures.
+    pub(in crate::contact) fn signs(curvature: &Curvature<'_>, kinks: &[Kink], floor: f64, far: f64) -> Option<Self> {
         let mut ends = vec![0.0, floor];
         ends.extend(curvature.breakpoints().into_iter().chain(kinks.iter().map(|kink| kink.at)).filter(|b| *b > floor && *b < far));
         ends.sort_by(f64::total_cmp);
@@ -77,11 +86,7 @@ impl Cells {
                 return None;
             }
         }
-        let mut own = Self { list, kinks: kinks.to_vec(), rises: OnceLock::new() };
-        if !own.bends_up() {
-            own.refine(curvature, fine);
-        }
-        Some(own)
+        Some(Self { list, kinks: kinks.to_vec(), rises: OnceLock::new() })
     }
 
     /// True if (r f′)′ ≥ 0 is proven everywhere, and every jump of f′ is positive, so that g increases.
@@ -150,29 +155,21 @@ impl Cells {
 
     /// Radii in and around the runs of cells where the bend is certainly negative and which contain fewer than three of `places`.
     pub(super) fn dents(&self, places: &[f64], most: usize) -> Vec<f64> {
-        let mut found = Vec::new();
-        let mut run: Option<(f64, f64)> = None;
-        let mut close = |run: &mut Option<(f64, f64)>| {
-            if let Some((from, to)) = run.take() {
-                let width = to - from;
-                let seen = places.partition_point(|r| *r < to).saturating_sub(places.partition_point(|r| *r <= from));
-                if seen >= 3 {
-                    return;
-                }
-                found.extend([-1.0, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 2.0].map(|share| from + share * width));
-            }
-        };
-        for cell in &self.list {
-            if cell.high < 0.0 {
-                run = Some((run.map_or(cell.lower, |own| own.0), cell.upper));
-            } else {
-                close(&mut run);
+        let seen = |from: f64, to: f64| places.partition_point(|r| *r < to).saturating_sub(places.partition_point(|r| *r <= from));
+        let hidden = self.falling_runs().into_iter().filter(|(from, to)| seen(*from, *to) < 3);
+        hidden.flat_map(around).filter(|r| *r > 0.0).take(most).collect()
+    }
+
+    /// The longest ranges in which the bend is certainly negative, in order.
+    pub(in crate::contact) fn falling_runs(&self) -> Vec<(f64, f64)> {
+        let mut runs: Vec<(f64, f64)> = Vec::new();
+        for cell in self.list.iter().filter(|cell| cell.high < 0.0) {
+            match runs.last_mut() {
+                Some((_, end)) if *end == cell.lower => *end = cell.upper,
+                _ => runs.push((cell.lower, cell.upper)),
             }
         }
-        close(&mut run);
-        found.retain(|r| *r > 0.0);
-        found.truncate(most);
-        found
+        runs
     }
 
     /// A lower bound on g′ within a cell; −∞ if unknown.
@@ -212,6 +209,11 @@ impl Cells {
             sum
         }
     }
+}
+
+/// Radii in and around a range in which the bend is negative.
+pub(in crate::contact) fn around((from, to): (f64, f64)) -> impl Iterator<Item = f64> {
+    [-1.0, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 2.0].into_iter().map(move |share| from + share * (to - from))
 }
 
 /// The point at which a range is split: the logarithmic middle of a wide range.

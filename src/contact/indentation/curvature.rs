@@ -1,7 +1,7 @@
 //! Slope and bend of the profile as numbers: f′ and (r f′)′ per piece, with the kinks between the pieces.
 
 use crate::eval::constant_value;
-use crate::expr::{Bindings, Expr, Symbol, derivative};
+use crate::expr::{Bindings, Expr, Symbol, balanced, derivative};
 use crate::num::Bounded;
 use crate::transform::{ClosedForm, Over, Profile, Slopes, TransformError, sum_of_ranges};
 use std::sync::{Arc, OnceLock};
@@ -9,7 +9,7 @@ use std::sync::{Arc, OnceLock};
 /// f′ and (r f′)′ of a profile with numbers for all parameters, and of additional profiles that are not formulas.
 ///
 /// If the bend is nowhere negative, g increases, since g′(x) = ∫₀^{π/2} (r f′)′|_{r = x sin t} dt, and the pressure is positive.
-pub(super) struct Curvature<'a> {
+pub(in crate::contact) struct Curvature<'a> {
     chains: Vec<Pieces>,
     others: Vec<Arc<dyn Slopes + 'a>>,
 }
@@ -31,15 +31,15 @@ struct Turn {
 
 /// A jump of f′.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Kink {
-    pub(super) at: f64,
+pub(in crate::contact) struct Kink {
+    pub(in crate::contact) at: f64,
     /// f′ beyond minus f′ before.
-    pub(super) jump: f64,
+    pub(in crate::contact) jump: f64,
 }
 
 impl<'a> Curvature<'a> {
     /// Creates the curvature of profiles that are not formulas.
-    pub(super) fn of(others: Vec<Arc<dyn Slopes + 'a>>) -> Self {
+    pub(in crate::contact) fn of(others: Vec<Arc<dyn Slopes + 'a>>) -> Self {
         Self { chains: Vec::new(), others }
     }
 
@@ -47,7 +47,7 @@ impl<'a> Curvature<'a> {
     ///
     /// # Errors
     /// [`TransformError`] if a piece has no derivative or a parameter has no value.
-    pub(super) fn with(mut self, profile: &Profile) -> Result<Self, TransformError> {
+    pub(in crate::contact) fn with(mut self, profile: &Profile) -> Result<Self, TransformError> {
         let radius = Symbol::new("r");
         let compile = |expr: &Expr| ClosedForm::new(expr, std::slice::from_ref(&radius));
         let mut shift = -&profile.shift;
@@ -59,7 +59,8 @@ impl<'a> Curvature<'a> {
             let (mut f_primes, mut bends) = (Vec::new(), Vec::new());
             let mut turns = Vec::new();
             for f_prime in chain.f_primes()? {
-                let bend = derivative(&(Expr::symbol("r") * &f_prime), &radius)?;
+                let f_prime = balanced(&f_prime);
+                let bend = balanced(&derivative(&(Expr::symbol("r") * &f_prime), &radius)?);
                 bends.push(compile(&bend)?);
                 f_primes.push(compile(&f_prime)?);
                 turns.push(Turn { bend, compiled: OnceLock::new() });
@@ -117,7 +118,7 @@ impl<'a> Curvature<'a> {
         for pieces in &self.chains {
             let turn = pieces.turns.get(pieces.breakpoints.iter().filter(|b| **b <= middle).count())?;
             let compiled = turn.compiled.get_or_init(|| {
-                let own = derivative(&turn.bend, &radius).ok()?;
+                let own = balanced(&derivative(&turn.bend, &radius).ok()?);
                 ClosedForm::new(&own, std::slice::from_ref(&radius)).ok()
             });
             let own = compiled.as_ref()?.over(lower, upper)?;
@@ -154,7 +155,7 @@ impl<'a> Curvature<'a> {
     }
 
     /// Every certain jump of f′, in increasing order.
-    pub(super) fn kinks(&self) -> Vec<Kink> {
+    pub(in crate::contact) fn kinks(&self) -> Vec<Kink> {
         let mut found: Vec<Kink> = Vec::new();
         for pieces in &self.chains {
             for (at, pair) in pieces.breakpoints.iter().zip(pieces.f_primes.windows(2)) {

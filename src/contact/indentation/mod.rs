@@ -3,7 +3,7 @@
 
 mod body;
 pub(super) mod cells;
-mod curvature;
+pub(super) mod curvature;
 mod errors;
 mod landscape;
 mod naming;

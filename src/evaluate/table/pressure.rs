@@ -3,8 +3,10 @@
 use super::Cubic;
 use super::sums::{MASSES, NARROW};
 use super::tree::{Cluster, Moments, Tree, decay, masses, rule};
+use crate::integrate::pressure::direct::{Distances, kernel, kernel_at};
+use crate::integrate::source::endpoint::Endpoint;
 use crate::num::quadrature::{Options, Panel, Point, integrate};
-use crate::num::{Bounded, Exhausted, NumError, special};
+use crate::num::{Bounded, Exhausted, NumError};
 use std::sync::OnceLock;
 
 /// Data of a table for the pressure: the jumps of f′, and the masses of every cluster, computed on first use.
@@ -81,8 +83,8 @@ impl Work<'_> {
             let Some(piece) = self.pieces.get(index).filter(|piece| piece.lower < self.a) else { continue };
             let kink = bends.kinks.get(index).copied().unwrap_or(0.0);
             if kink != 0.0 {
-                let kernel = kernel(piece.lower, self.s, self.a, (piece.lower - self.s).abs(), self.a - piece.lower);
-                self.total = self.total + Bounded { value: kink, error: 4.0 * f64::EPSILON * kink.abs() } * kernel;
+                let own = Bounded { value: kink, error: 4.0 * f64::EPSILON * kink.abs() };
+                self.total = self.total + own * self.kernel_at(piece.lower);
             }
             let end = piece.upper.min(self.a);
             if self.s > piece.lower && self.s < end {
@@ -104,13 +106,18 @@ impl Work<'_> {
     fn far(&mut self, moment: &Moments, masses: &[(f64, f64)], h: f64) {
         let (mut value, mut largest) = (0.0, 0.0f64);
         for (r, mass) in masses {
-            let kernel = kernel(*r, self.s, self.a, (r - self.s).abs(), self.a - r).value;
+            let kernel = self.kernel_at(*r).value;
             value += mass * kernel;
             largest = largest.max(kernel);
         }
         self.evaluations += masses.len() as u64;
         let rest = ROUNDINGS * f64::EPSILON + 8.0 * h.powi(MASSES as i32) / (1.0 - h);
         self.total = self.total + Bounded { value, error: rest * largest * moment.size };
+    }
+
+    /// The kernel at a radius without error.
+    fn kernel_at(&self, r: f64) -> Bounded {
+        kernel_at(Endpoint::exact(r), self.s, self.a)
     }
 
     /// A piece, or part of it without s in its inside.
@@ -123,7 +130,8 @@ impl Work<'_> {
             let r = if up < down { from + up } else { to - down };
             let (f_prime, second) = (piece.f_prime(delta), piece.second(delta));
             let size = piece.f_prime_size(delta) + r * piece.second_size(delta);
-            Bounded { value: f_prime + r * second, error: 8.0 * f64::EPSILON * size } * kernel(r, s, a, difference, (a - to) + down)
+            let distances = Distances { difference, below_edge: (a - to) + down, is_beyond: s <= from };
+            Bounded { value: f_prime + r * second, error: 8.0 * f64::EPSILON * size } * kernel(r, s, a, &distances)
         };
         let distance = (a - to).min(if s <= from { from - s } else { s - to });
         if distance >= REGULAR * length {
@@ -148,14 +156,4 @@ impl Work<'_> {
         self.total = self.total + Bounded { value, error };
         Ok(())
     }
-}
-
-/// K(r, s) = ∫_M^a dx/√((x²−r²)(x²−s²)), M = max(r, s), by Carlson's R_F; from |r − s| and a − r.
-fn kernel(r: f64, s: f64, a: f64, difference: f64, below_edge: f64) -> Bounded {
-    let (big, small) = if r > s { (r / a, s / a) } else { (s / a, r / a) };
-    let (edge, rest) = if r > s { (below_edge, a - s) } else { (a - s, below_edge) };
-    let (edge, rest, gap) = (edge / a, rest / a, difference / a);
-    let spread = gap / big * (1.0 + small / big);
-    let value = (edge * (1.0 + big)).sqrt() / big * special::rf(big * gap * (1.0 + small / big), spread, rest * (1.0 + small)) / a;
-    Bounded { value, error: 0.5 * ROUNDINGS * f64::EPSILON * value.abs() }
 }

@@ -231,7 +231,8 @@ impl NumericSegment {
                 let difference = if s <= from.at { place.to(from) + up } else { to.to(place) + down };
                 let below_edge = to.to(edge) + down;
                 let r = if up < down { from.at + up } else { to.at - down };
-                *height = Bounded { value, error } * kernel(r, s, a, &Distances { difference, below_edge });
+                let distances = Distances { difference, below_edge, is_beyond: s <= from.at };
+                *height = Bounded { value, error } * kernel(r, s, a, &distances);
             }
         };
         let options = Options { rel_tol: tolerance, charge_x: false, ..Options::default() };
@@ -240,17 +241,19 @@ impl NumericSegment {
     }
 }
 
-/// |r − s| and a − r, without cancellation.
+/// |r − s| and a − r, without cancellation, and whether r > s, which rounded radii do not tell.
 pub(crate) struct Distances {
     pub(crate) difference: f64,
     pub(crate) below_edge: f64,
+    pub(crate) is_beyond: bool,
 }
 
 /// K(b, s); the error of a b without 30 digits affects the logarithm near the kink, and the root near the edge.
 ///
 /// |∂K/∂b| ≤ 1/(|b−s|(b+s)) + K/b + K/(a−b): with u² = x² − M², K is an integral over u whose integrand and end depend on b.
 pub(crate) fn kernel_at(b: Endpoint, s: f64, a: f64) -> Bounded {
-    let distances = Distances { difference: b.to(Endpoint::exact(s)).abs(), below_edge: b.to(Endpoint::exact(a)) };
+    let from_s = Endpoint::exact(s).to(b);
+    let distances = Distances { difference: from_s.abs(), below_edge: b.to(Endpoint::exact(a)), is_beyond: from_s > 0.0 };
     let kernel = kernel(b.at, s, a, &distances);
     if b.doubt == 0.0 {
         return kernel;
@@ -272,10 +275,8 @@ pub(crate) const KERNEL: u64 = 18;
 ///
 /// It is √((a−M)(a+M)) R_F(M²D, a²D, M²(a−m)(a+m)); in units of a, and with 1/M taken out of R_F, nothing underflows.
 pub(crate) fn kernel(r: f64, s: f64, a: f64, distances: &Distances) -> Bounded {
-    // Use the distance of the larger radius to the edge, because r is rounded.
-    let outside = if distances.below_edge == a - s { r > s } else { distances.below_edge < a - s };
-    let (big, small) = if outside { (r / a, s / a) } else { (s / a, r / a) };
-    let (edge, rest) = if outside { (distances.below_edge, a - s) } else { (a - s, distances.below_edge) };
+    let (big, small) = if distances.is_beyond { (r / a, s / a) } else { (s / a, r / a) };
+    let (edge, rest) = if distances.is_beyond { (distances.below_edge, a - s) } else { (a - s, distances.below_edge) };
     let (edge, rest, gap) = (edge / a, rest / a, distances.difference / a);
     // D/M² = (M − m)/M · (1 + m/M).
     let spread = gap / big * (1.0 + small / big);

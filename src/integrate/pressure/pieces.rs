@@ -112,7 +112,7 @@ impl Radii<'_> {
         let delta = (self.segment.ends.0.to(self.from) + up).max(f64::MIN_POSITIVE);
         let difference = if self.is_outside() { s.to(self.from) + up } else { self.to.to(s) + down };
         let r = if up < down { self.from.at + up } else { self.to.at - down };
-        (r, delta, Distances { difference, below_edge: self.to.to(edge) + down })
+        (r, delta, Distances { difference, below_edge: self.to.to(edge) + down, is_beyond: self.is_outside() })
     }
 
     /// The change of the integral due to the uncertainty of the ends of the segment.

@@ -53,10 +53,10 @@ impl Region {
         Self::new((low, high), (0.0, 0.0))
     }
 
-    /// Restricts the region to real numbers, for a function with real values; unknown regions remain unknown.
+    /// Restricts the region to real numbers, for a function with real values; an unknown region remains unknown, but keeps bounds on the magnitude.
     #[must_use]
     pub fn on_the_axis(self) -> Self {
-        if self.is_known() { Self { im: Interval::point(0.0), ..self } } else { Self::unknown() }
+        if self.is_known() { Self { im: Interval::point(0.0), ..self } } else { self }
     }
 
     /// The lowest and the highest real part; `None` if nothing is known.
