@@ -22,11 +22,6 @@ const MOST_KINKS: usize = 200;
 /// An abs, min or max with its arguments.
 type Kink = (Function, Vec<Expr>);
 
-/// True if the breakpoint is, or may be, below the contact's end.
-pub(crate) fn is_below(breakpoint: Bounded, contact: f64) -> bool {
-    breakpoint.value < contact || (breakpoint.error > 0.0 && breakpoint.value - breakpoint.error < contact)
-}
-
 /// A chain without abs, min and max.
 pub(crate) struct Resolved {
     pub(crate) chain: Chain,

@@ -3,10 +3,9 @@
 use crate::derive::closed_form::{ClosedForm, DOUBLES, THIRTY_DIGITS, for_second_pass, good_enough, precise_total, refined, total};
 use crate::derive::domain::barrier::Barrier;
 use crate::derive::engine::Solution;
-use crate::derive::kinks::is_below;
 use crate::derive::solved::SolvedInterval;
 use crate::derive::superposed::Superposed;
-use crate::eval::{constant_value, first_double_from};
+use crate::eval::{constant_value, first_double_from, last_double_up_to};
 use crate::evaluate::curve::PressureCurve;
 use crate::evaluate::local_polynomials::PolynomialCache;
 use crate::evaluate::ways::Way;
@@ -85,6 +84,8 @@ pub(crate) struct Heights {
 
 pub(crate) struct NumericChain {
     pub(crate) breakpoints: Vec<Bounded>,
+    /// For each breakpoint, the largest double that is not beyond it.
+    last_before: OnceLock<Vec<f64>>,
     equivalent: OnceLock<ClosedAndOpen>,
     force: OnceLock<ClosedAndOpen>,
     pressure: OnceLock<ClosedAndOpen>,
@@ -128,6 +129,7 @@ impl<'a> Evaluator<'a> {
             let breakpoints = chain.breakpoints.iter().map(|b| constant_value(b, bindings)).collect::<Result<_, _>>()?;
             chains.push(NumericChain {
                 breakpoints,
+                last_before: OnceLock::new(),
                 equivalent: OnceLock::new(),
                 force: OnceLock::new(),
                 pressure: OnceLock::new(),
@@ -428,10 +430,17 @@ impl<'a> Evaluator<'a> {
         Ok(())
     }
 
-    /// The number of breakpoints of the chain below the contact's end. A breakpoint that may lie below it counts, because the
-    /// error of the formula beyond it includes the uncertainty of the breakpoint.
+    /// The number of breakpoints of the chain below the contact's end.
     pub(crate) fn interval(&self, chain: usize, contact: f64) -> usize {
-        self.chains.get(chain).map_or(0, |c| c.breakpoints.iter().filter(|b| is_below(**b, contact)).count())
+        self.last_before(chain).iter().filter(|b| **b < contact).count()
+    }
+
+    /// For each breakpoint of the chain, the largest double that is not beyond it.
+    pub(crate) fn last_before(&self, chain: usize) -> &[f64] {
+        let (Some(numeric), Some(solved)) = (self.chains.get(chain), self.solution.chains.get(chain)) else { return &[] };
+        let last = |(expr, rounded): (&Expr, &Bounded)| last_double_up_to(expr, &self.bindings).unwrap_or(rounded.value);
+        let list = || solved.breakpoints.iter().zip(&numeric.breakpoints).map(last).collect();
+        numeric.last_before.get_or_init(|| work::prepared(list))
     }
 
     pub(crate) fn part(&self, index: usize, quantity: Superposed) -> Result<&ClosedAndOpen, TransformError> {

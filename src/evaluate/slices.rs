@@ -1,7 +1,6 @@
 //! Closed forms over slices: blocks of points on every core, with scalar evaluation for the points that need another method.
 
 use crate::derive::closed_form::{ClosedForm, DOUBLES, good_enough};
-use crate::derive::kinks::is_below;
 use crate::derive::superposed::Superposed;
 use crate::eval::{BlockInput, BlockScratch};
 use crate::evaluate::evaluator::{Evaluator, Method, Reading};
@@ -77,7 +76,7 @@ enum Wanted {
 
 /// The forms of one chain, one per interval, and the breakpoints between them.
 struct Forms<'e> {
-    breakpoints: Vec<Bounded>,
+    breakpoints: Vec<f64>,
     /// True if a breakpoint belongs to the interval beyond it.
     closed_below: bool,
     forms: Vec<Option<&'e ClosedForm>>,
@@ -209,7 +208,7 @@ impl Evaluator<'_> {
         let Wanted::Superposed(quantity, radius) = wanted else {
             let chains = self.height_forms()?.chains.iter();
             let list = chains.map(|(breakpoints, pieces)| Forms {
-                breakpoints: breakpoints.iter().copied().map(Bounded::exact).collect(),
+                breakpoints: breakpoints.clone(),
                 closed_below: true,
                 forms: pieces.iter().map(Some).collect(),
             });
@@ -221,14 +220,14 @@ impl Evaluator<'_> {
             None => ends(points),
         };
         let mut list = Vec::new();
-        for (index, chain) in self.chains.iter().enumerate() {
+        for index in 0..self.chains.len() {
             if !self.part(index, quantity)?.open.is_empty() {
                 return Ok(None);
             }
             let (first, last) = (self.interval(index, lowest), self.interval(index, highest));
             let form = |interval: usize| if interval < first { Ok(None) } else { self.closed_form(index, interval, quantity) };
             let forms = (0..=last).map(form).collect::<Result<Vec<_>, _>>()?;
-            list.push(Forms { breakpoints: chain.breakpoints.clone(), closed_below: false, forms });
+            list.push(Forms { breakpoints: self.last_before(index).to_vec(), closed_below: false, forms });
         }
         Ok(Some(list))
     }
@@ -380,7 +379,7 @@ impl Evaluator<'_> {
 impl Forms<'_> {
     /// The interval that contains the end of the contact, or the point.
     fn interval(&self, at: f64) -> usize {
-        let below = |b: &&Bounded| if self.closed_below { b.value <= at } else { is_below(**b, at) };
+        let below = |b: &&f64| if self.closed_below { **b <= at } else { **b < at };
         self.breakpoints.iter().filter(below).count()
     }
 }

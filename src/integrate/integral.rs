@@ -405,7 +405,7 @@ impl NumericSegment {
         let size = |delta: f64| self.f_prime_at(delta).value.abs();
         let (at_end, far) = (size(f64::MIN_POSITIVE), size(distance));
         if at_end.is_nan() || at_end <= 2.0 * far {
-            return at_end;
+            return at_end.max(far);
         }
         let (mut sum, mut outer) = (0.0, (distance, far));
         while outer.0 > f64::MIN_POSITIVE {

@@ -109,10 +109,25 @@ impl NumericProfile {
         if let [segment] = self.segments.as_slice() {
             return segment.over_angle(x, weight, tolerance, by);
         }
-        let mut total = Estimate::exact(0.0);
-        for segment in &self.segments {
-            total = total + segment.over_angle(x, weight, tolerance, by)?;
-        }
-        Ok(total)
+        sum_to(tolerance, |tolerance| {
+            let mut parts = self.segments.iter().map(|segment| segment.over_angle(x, weight, tolerance, by));
+            parts.try_fold(Estimate::exact(0.0), |sum, part| Ok(sum + part?))
+        })
     }
+}
+
+/// The smallest tolerance of a second attempt.
+const SHARPEST: f64 = 1e-13;
+
+/// A sum of integrals; once more with a smaller tolerance for each where they cancel, so that the first sum misses the tolerance.
+pub(crate) fn sum_to(tolerance: f64, mut sum: impl FnMut(f64) -> Result<Estimate, TransformError>) -> Result<Estimate, TransformError> {
+    let first = sum(tolerance)?;
+    let asked = tolerance * first.value.abs();
+    let sharper = (0.5 * asked / first.error * tolerance).max(SHARPEST);
+    if first.error <= asked || sharper >= tolerance {
+        return Ok(first);
+    }
+    let second = sum(sharper)?;
+    let evaluations = first.evaluations + second.evaluations;
+    Ok(Estimate { evaluations, ..if second.is_better_than(first) { second } else { first } })
 }

@@ -119,6 +119,24 @@ fn both_ends_are_known() {
     assert!(pointed.axial_stress(-1.0, 1.0).is_err() && pointed.axial_stress(f64::NAN, 1.0).is_err());
 }
 
+/// Class "parts that cancel miss a loose tolerance", also for displacements and pressures.
+#[test]
+fn sums_of_parts_that_cancel_meet_the_tolerance() {
+    for tolerance in [0.1, 1e-3, 1e-6] {
+        for text in ["gamma(1+r)", "abs(sin(5*r))", "r^r"] {
+            let solution = solution(text);
+            let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, tolerance).unwrap();
+            let contact = Contact::new(evaluator, 1.0, None, tolerance);
+            let stress = contact.axial_stress(0.4, 0.9).unwrap().unwrap().estimate;
+            let displacement = contact.displacement(1.5, 0.9).unwrap().estimate;
+            let pressure = contact.pressure(0.05, 0.9).unwrap().unwrap().estimate;
+            for found in [stress, displacement, pressure] {
+                assert!(found.error <= tolerance * found.value.abs(), "{text}, {tolerance:e}: {found:?}");
+            }
+        }
+    }
+}
+
 /// Closures and tables answer as the formula does.
 #[test]
 fn closures_and_tables_answer_too() {

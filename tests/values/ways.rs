@@ -96,6 +96,40 @@ fn bounds_hold_over_the_catalogue() {
     assert!(never.is_empty(), "{never:?} never answered");
 }
 
+/// Class "the double next to a kink": decimals and roots are exact, points are rounded, and a double may lie on either side of the kink c.
+///
+/// With δ = x − c, f = max(0, r − c)ⁿ has g = n B(n, 1/2) x δ^(n − 1/2)/√(2c) and F/(2E*) = 2c g/2 up to δ/c, and 0 for x < c. The distances are
+/// by mpmath.
+#[test]
+fn doubles_next_to_a_kink_lie_on_their_side_of_it() {
+    let places = [
+        ("0.3", 0.3, -1.1e-17),
+        ("1/3", 1.0 / 3.0, -1.8e-17),
+        ("0.1", 0.1, 5.551_115_123_125_783e-18),
+        ("sqrt(2)", 1.414_213_562_373_095_1, 9.667_293_313_452_913e-17),
+        ("sqrt(10486)", 102.401_171_868_294_55, 1.097_737_112_015_710_2e-18),
+        ("sqrt(48007)", 219.104_997_660_938_8, 5.313_353_849_436_471e-19),
+    ];
+    for (kink, x, distance) in places {
+        for (n, factor) in [("1", 2.0), ("1.5", 0.75 * std::f64::consts::PI), ("2", 8.0 / 3.0), ("3", 3.2)] {
+            let solution = derive(&Profile::new(&parse::profile(&format!("max(0,r-{kink})^{n}")).unwrap()).unwrap()).unwrap();
+            let power = n.parse::<f64>().unwrap() - 0.5;
+            let g = if distance < 0.0 { 0.0 } else { factor * x * f64::powf(distance, power) / (2.0 * x).sqrt() };
+            let auto = contact(&solution, &Bindings::default(), Method::Auto);
+            for (quantity, truth) in [(Quantity::Equivalent, g), (Quantity::Force, 2.0 * x * g)] {
+                let answer = alone(&auto, quantity, x, x).unwrap();
+                let off = (answer.value - truth).abs();
+                // The power is accurate to some units in the last place, and to δ/c.
+                assert!(off <= answer.error + 1e-14 * truth && answer.error <= 1e-9 * truth, "{kink} {n}: {answer:?}, {truth:e}");
+                for way in WAYS.iter() {
+                    let Some(found) = alone(&contact(&solution, &Bindings::default(), Method::Only(way)), quantity, x, x) else { continue };
+                    assert!((found.value - truth).abs() <= found.error + 1e-14 * truth, "{kink} {n} {}: {found:?}, {truth:e}", way.key);
+                }
+            }
+        }
+    }
+}
+
 /// Random profiles: no two ways differ by more than their bounds, and the answer lies within those of all.
 #[test]
 fn no_two_ways_disagree() {

@@ -1,7 +1,6 @@
 //! The pressure as the integral of the derivative of a closed g, for contacts whose kinks all lie below the radius.
 
 use crate::derive::closed_form::{ClosedForm, good_enough, total};
-use crate::derive::kinks::is_below;
 use crate::derive::superposed::Superposed;
 use crate::evaluate::evaluator::Evaluator;
 use crate::evaluate::ways::CLOSED_SLOPE;
@@ -22,7 +21,7 @@ impl Evaluator<'_> {
     /// `None` if a breakpoint lies beyond r, g is not closed, the integral does not converge, or `most` steps of work do not
     /// suffice for a first rule.
     pub(crate) fn pressure_by_closed_slope(&self, r: f64, a: f64, most: u64) -> Option<Estimate> {
-        let kinks = self.chains.iter().flat_map(|chain| &chain.breakpoints).filter(|b| is_below(**b, a));
+        let kinks = self.chains.iter().flat_map(|chain| &chain.breakpoints).filter(|b| b.value - b.error < a);
         let last = kinks.map(|b| b.value + b.error).fold(0.0, f64::max);
         if r <= last || r >= a {
             return None;

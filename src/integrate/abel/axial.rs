@@ -4,6 +4,7 @@ use crate::integrate::admit::finite_and_not_negative;
 use crate::integrate::ask::BISECTION;
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{NumericProfile, NumericSegment, magnitude, settle};
+use crate::integrate::numbers::sum_to;
 use crate::integrate::source::f_prime::Scratch;
 use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
 use crate::num::stable::leg;
@@ -22,10 +23,10 @@ impl NumericProfile {
     pub fn axial(&self, z: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
         finite_and_not_negative("z", z)?;
         finite_and_not_negative("a", a)?;
-        let mut total = Estimate::exact(0.0);
-        for segment in &self.segments {
-            total = total + segment.axial(z, a, tolerance)?;
-        }
+        let total = sum_to(tolerance, |tolerance| {
+            let mut parts = self.segments.iter().map(|segment| segment.axial(z, a, tolerance));
+            parts.try_fold(Estimate::exact(0.0), |sum, part| Ok(sum + part?))
+        })?;
         Ok(total.by(BISECTION))
     }
 }

@@ -4,6 +4,7 @@ use crate::integrate::admit::finite_and_not_negative;
 use crate::integrate::ask::{ELLIPTIC, LEGENDRE, LEGENDRE_SAMPLED, OVER_U, OVER_U_SAMPLED, PIECES, not_this_way};
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{MOST_POINTS, NumericProfile, NumericSegment, reached, settled, with_ulps};
+use crate::integrate::numbers::sum_to;
 use crate::integrate::source::endpoint::Endpoint;
 use crate::integrate::source::f_prime::{Numbers, Scratch};
 use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
@@ -82,18 +83,21 @@ impl NumericProfile {
         finite_and_not_negative("r", s)?;
         finite_and_not_negative("a", a)?;
         let Some(total) = self.pressure_of_jumps(s, a) else { return Ok(None) };
-        let mut parts = Estimate::exact(0.0);
         if s == 0.0 && self.starts_steeply(a) {
             return Ok(None);
         }
-        let mut size = total.value.abs();
-        for segment in &self.segments {
-            for part in segment.pressure(s, a, tolerance)? {
-                size += part.value.abs();
-                parts = parts + part;
+        let mut size = 0.0;
+        let found = sum_to(tolerance, |tolerance| {
+            size = total.value.abs();
+            let mut sum = Estimate::from_bounded(total, 0);
+            for segment in &self.segments {
+                for part in segment.pressure(s, a, tolerance)? {
+                    size += part.value.abs();
+                    sum = sum + part;
+                }
             }
-        }
-        let found = Estimate::from_bounded(total, 0) + parts;
+            Ok(sum)
+        })?;
         settled(found.by(ELLIPTIC), a, || size).map(Some)
     }
 

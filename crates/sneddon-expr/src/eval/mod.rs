@@ -22,7 +22,7 @@ pub use second::PreciseAlgebra;
 pub use series::{Series, SeriesError, power_series};
 pub use tape::Tape;
 pub use third::WideAlgebra;
-pub use walk::{constant_value, first_double_from, precise_value, walk};
+pub use walk::{constant_value, first_double_from, last_double_up_to, precise_value, walk};
 
 /// Private parts that tests in `tests/` look at; not part of the interface.
 #[doc(hidden)]

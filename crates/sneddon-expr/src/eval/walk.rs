@@ -78,6 +78,30 @@ pub fn first_double_from(expr: &Expr, bindings: &Bindings) -> Result<f64, EvalEr
     Ok(if value.lo > error { value.hi.next_up() } else { value.hi })
 }
 
+/// The largest double that is not above the value of a constant, to within 30 digits: x > b is equivalent to x > this double.
+///
+/// # Errors
+/// As [`precise_value`].
+///
+/// ```
+/// use sneddon_expr::{eval::last_double_up_to, expr::{Bindings, Expr}};
+/// assert_eq!(last_double_up_to(&Expr::ratio(1, 3), &Bindings::default()).unwrap(), 1.0 / 3.0);
+/// assert_eq!(last_double_up_to(&Expr::ratio(1, 10), &Bindings::default()).unwrap(), 0.1_f64.next_down());
+/// ```
+pub fn last_double_up_to(expr: &Expr, bindings: &Bindings) -> Result<f64, EvalError> {
+    let Precise { value, error } = precise_value(expr, bindings)?;
+    if !value.hi.is_finite() {
+        return constant_value(expr, bindings).map(|own| own.value);
+    }
+    // A constant that is not known to 30 digits may be anywhere within its error.
+    let is_known = error < 0.125 * f64::EPSILON * value.hi.abs() || error == 0.0;
+    Ok(match is_known {
+        false => (value.hi - error).next_down(),
+        true if value.lo < -error => value.hi.next_down(),
+        true => value.hi,
+    })
+}
+
 /// The walk with a hook that may supply the value of a subtree.
 pub(super) fn walk_with<A: Algebra>(
     expr: &Expr,

@@ -133,6 +133,9 @@ pub(super) fn segment(a: &[DoubleDouble], f: Segment) -> Precise {
     order(k.hi).map_or(Precise::nan(), |k| f(k, *b, c, *x))
 }
 
+/// The distance of the ends, relative to the radius, below which doubles do not suffice for the slopes of such an integral.
+const NEAR: f64 = 1e-8;
+
 /// The change of such an integral T: T_b = −k T of order k − 1, T_c from the integrand, T_x because T is homogeneous.
 ///
 /// Returns infinity if the distance between the ends is as small as the changes of the ends.
@@ -151,9 +154,13 @@ pub(super) fn segment_spread(a: &[DoubleDouble], by: &[f64], force: bool) -> f64
     if 10.0 * (k + 1.0) * (by_b + by_c + by_x) >= room {
         return f64::INFINITY;
     }
-    let value = |order: u32| {
-        let f = if force { forms::shifted_power_force } else { forms::shifted_power };
-        f(order, b.hi, inner.map_or(f64::INFINITY, |c| c.hi), x.hi)
+    // The ends as doubles may be the same number.
+    let is_near = room < NEAR * x.hi;
+    let value = |order: u32| match (is_near, force) {
+        (true, false) => precise::shifted_power(order, b, inner, x).value.hi,
+        (true, true) => precise::shifted_power_force(order, b, inner, x).value.hi,
+        (false, false) => forms::shifted_power(order, b.hi, inner.map_or(f64::INFINITY, |c| c.hi), x.hi),
+        (false, true) => forms::shifted_power_force(order, b.hi, inner.map_or(f64::INFINITY, |c| c.hi), x.hi),
     };
     let end = |e: DoubleDouble| {
         let weight = if force { e.hi * e.hi } else { 1.0 };
