@@ -1,5 +1,6 @@
 //! Profiles, solutions and their numbers: the public names of the rooms `derive`, `evaluate` and `integrate`.
 
+pub(crate) use crate::derive::assemble::axial_weight;
 pub use crate::derive::assemble::{Derived, Status};
 pub use crate::derive::chain::Chain;
 pub use crate::derive::closed_form::ClosedForm;

@@ -60,7 +60,7 @@ pub(crate) fn derive(py: Python<'_>, text: &str, names: Vec<String>, values: Vec
         let check = transform::check(&solution).map_err(Unchecked::from);
         check.iter().for_each(|check| relations.confirm(check));
         let record = Derivation {
-            profile: &profile,
+            solution: &solution,
             typed: &typed,
             edge: &edge,
             relations: &relations,

@@ -48,7 +48,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         let near =
             || near_axis(self.evaluator(), start, |a, g| 2.0 * self.effective_modulus() * a * g * (1.0 + 4.0 * f64::EPSILON) < force);
         let wave = |a: f64| self.evaluator().shortest_wave(a);
-        let features = |lower: f64, upper: f64| self.features().between(self.evaluator(), lower, upper);
+        let features = |lower: f64, upper: f64| self.features.between(self.evaluator(), lower, upper);
         let span = Span { near: &near, start, limit: self.evaluator().limit(), wave: &wave, features: &features };
         let found = root(&mut height, &|| None, &DepthSamples::default(), force, span).map_err(|error| match error {
             ContactError::Unreachable { reason, .. } => unreachable(reason),

@@ -22,7 +22,7 @@ pub struct Contact<'a, P: Quantities + ?Sized = Evaluator<'a>> {
     /// Samples of g, shared by the contact radii of all depths.
     radii: Arc<DepthSamples>,
     /// The curvature of f, shared by all searches.
-    features: Arc<Features>,
+    pub(super) features: Arc<Features>,
     inverse: Inverse,
 }
 
@@ -149,16 +149,8 @@ impl<P: Quantities> Contact<'_, P> {
     /// assert_eq!(contact.force(1.0).unwrap().estimate.value, 2.0);
     /// ```
     pub fn new(evaluator: P, effective_modulus: f64, depth: Option<f64>, tolerance: f64) -> Self {
-        Self {
-            evaluator: Arc::new(evaluator),
-            formula: PhantomData,
-            effective_modulus,
-            depth,
-            tolerance,
-            radii: Arc::default(),
-            features: Arc::default(),
-            inverse: Inverse::Root,
-        }
+        let (evaluator, radii, features) = (Arc::new(evaluator), Arc::default(), Arc::default());
+        Self { evaluator, formula: PhantomData, effective_modulus, depth, tolerance, radii, features, inverse: Inverse::Root }
     }
 
     /// Returns the same contact with the type of its profile erased.
@@ -215,11 +207,6 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// The profile's evaluator.
     pub fn evaluator(&self) -> &P {
         &self.evaluator
-    }
-
-    /// The narrow features of the profile.
-    pub(super) fn features(&self) -> &Features {
-        &self.features
     }
 
     /// Returns the profile's evaluator as a shared pointer.

@@ -105,7 +105,7 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(
     let stays_below = || unreachable::stays_below(evaluator, depth);
     let near = || near_axis(evaluator, start, |_, g| g < depth);
     let wave = |a: f64| evaluator.shortest_wave(a);
-    let features = |lower: f64, upper: f64| contact.features().between(evaluator, lower, upper);
+    let features = |lower: f64, upper: f64| contact.features.between(evaluator, lower, upper);
     let span = Span { near: &near, start, limit, wave: &wave, features: &features };
     let found = root(&mut height, &stays_below, radii, depth, span)?;
     let (a, CertainSigns { reach, bound, .. }) = found.map_err(|absence| match absence {

@@ -83,7 +83,7 @@ fn collect(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> 
     let (modulus, a) = (Expr::symbol("E"), Expr::symbol("a"));
     let at_edge = Bindings::one("x", a.clone());
     let rim_is_edge = Bindings::one(rim_radius().name(), a.clone());
-    let at_rim = |derived: Derived| Derived { formula: derived.formula.substitute(&rim_is_edge).without_decided_pieces(), ..derived };
+    let at_rim = |derived: Derived| Derived { formula: at_rim(derived.formula), ..derived };
     let g = at_rim(solution.equivalent_profile());
     let g_at_edge = at_edge_of(&g.formula, &at_edge);
     let at_rim_of = |own: &Condition| {
@@ -127,7 +127,7 @@ fn collect(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> 
             stated.push(Prose::words("rim at ").condition(rim).then(": the depth ").formula(depth.clone()).then(" is free"));
             stated.extend(complete_contact(solution, depth, &g_at_edge));
             let d = Derived::given(Formula::Closed(depth.clone()));
-            let excess = Formula::sum([Formula::Closed(depth.clone()), g_at_edge.scaled(&Expr::integer(-1))]);
+            let excess = above(&d, g_at_edge);
             let (force, pressure) = (at_rim(solution.force()), solution.pressure().map(at_rim));
             let extra = excess.clone().scaled(&(Expr::integer(2) * &modulus * &a));
             let edge_term = excess.scaled(&(&modulus / (Expr::pi() * (a.power(2) - Expr::symbol("r").power(2)).sqrt())));
@@ -162,8 +162,22 @@ fn collect(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> 
     })
 }
 
+/// A formula of a profile with a rim at the contact radius.
+pub(super) fn at_rim(formula: Formula) -> Formula {
+    formula.substitute(&Bindings::one(rim_radius().name(), Expr::symbol("a"))).without_decided_pieces()
+}
+
+/// d − g(a).
+pub(super) fn excess(relations: &Relations) -> Formula {
+    above(&relations.d, at_edge_of(&relations.g.formula, &Bindings::one("x", Expr::symbol("a"))))
+}
+
+fn above(d: &Derived, g_at_edge: Formula) -> Formula {
+    Formula::sum([d.formula.clone(), g_at_edge.scaled(&Expr::integer(-1))])
+}
+
 /// The part of a smooth edge and the part of the rim as one closed form, if both are closed.
-fn together(formula: Formula) -> Formula {
+pub(super) fn together(formula: Formula) -> Formula {
     let parts: Option<Vec<Expr>> = match &formula {
         Formula::Sum(parts) => parts.iter().map(|own| own.as_closed().cloned()).collect(),
         Formula::Closed(own) => Some(vec![own.clone()]),

@@ -5,6 +5,7 @@ use crate::derive::engine::expanded_or_same;
 use crate::derive::rules::abel;
 use crate::derive::solved::{SolvedChain, SolvedInterval, SolvedTerm};
 use crate::derive::superposed::Superposed;
+use crate::derive::verification::{Field, Gate};
 use crate::expr::function::pressure_power_in_one_term;
 use crate::expr::{
     Bindings, Expr, Formula, Node, Number, Relation, Symbol, collected, derivative, in_lowest_terms, rewritten, shown, shown_as_mathematics,
@@ -95,6 +96,28 @@ impl Solution {
             .then(|| self.derived(Superposed::Pressure, "a", &(Expr::symbol("E") / Expr::pi()), "Popov & Heß (3.37)"))
     }
 
+    /// u(r) outside a contact with a smooth edge, (2/π) ∫₀^a g′(x) arcsin(x/r) dx, or −σ_zz(z)·π/E* on the axis,
+    /// ∫₀^a g′(x) x(x²+3z²)/(x²+z²)² dx. `None` if a term that stays open has no closed g, or if quadrature contradicts a closed form.
+    pub fn field(&self, field: Superposed) -> Option<Derived> {
+        let is_open = |term: &SolvedTerm| field.is_open(term);
+        let known = |chain: &SolvedChain| {
+            let has_open = chain.intervals.iter().flat_map(|own| &own.terms).any(is_open);
+            !has_open || (chain.has_pressure_formula() && matches!(chain.g_primes(is_open), Ok(Some(_))))
+        };
+        if !self.chains.iter().all(known) {
+            return None;
+        }
+        let tested = if field == Superposed::Outside { Field::OUTSIDE } else { Field::AXIAL };
+        let gate = Gate::new(&self.profile, &self.conditions);
+        let mut agreement = true;
+        for solved in self.terms() {
+            let Some(forms) = field.branches(solved) else { continue };
+            agreement &= gate.field_agrees(&tested, &solved.term, &forms)?;
+        }
+        let derived = self.derived(field, "a", &Expr::one(), "Popov & Heß (3.27)");
+        Some(Derived { compared: Some(agreement && derived.status != Status::Numeric), ..derived })
+    }
+
     fn derived(&self, quantity: Superposed, variable: &str, factor: &Expr, reference: &'static str) -> Derived {
         let open = |term: &SolvedTerm| quantity.is_open(term);
         let (mut rules, mut references) = (Vec::new(), vec![reference]);
@@ -119,8 +142,12 @@ impl Solution {
         };
         let (mut formulas, mut split) = (Vec::new(), false);
         for chain in self.chains.iter().flat_map(SolvedChain::parts) {
-            let open = if quantity == Superposed::Pressure { chain.open_pressures(self) } else { Vec::new() };
-            split |= open.iter().any(has_closed_part);
+            let open = match quantity {
+                Superposed::Pressure => chain.open_pressures(self),
+                Superposed::Outside | Superposed::Axial => chain.open_fields(quantity),
+                Superposed::Equivalent | Superposed::Force => Vec::new(),
+            };
+            split |= quantity == Superposed::Pressure && open.iter().any(has_closed_part);
             formulas.push(chain.formula(quantity, variable, open));
         }
         let formula = Formula::sum(formulas);
@@ -184,17 +211,15 @@ impl SolvedChain {
         self.intervals.iter().filter(|own| !own.terms.is_empty()).map(|own| Cow::Owned(alone(own))).collect()
     }
 
-    /// The formula, interval by interval, with the parts of a pressure that rules leave open.
-    fn formula(&self, quantity: Superposed, variable: &str, pressures: Vec<Formula>) -> Formula {
-        let mut pressures = pressures.into_iter();
+    /// The formula, interval by interval, with the parts of a pressure or of a field that stay open.
+    fn formula(&self, quantity: Superposed, variable: &str, open: Vec<Formula>) -> Formula {
+        let mut open = open.into_iter();
         let mut values = (0..self.intervals.len()).map(|interval| {
             let closed = self.closed(interval, quantity, |pair| &pair.shown);
             let open = match quantity {
                 Superposed::Equivalent => self.open_integral(interval, "x"),
                 Superposed::Force => self.open_integral(interval, "a"),
-                Superposed::Pressure => pressures.next().unwrap_or_else(Formula::zero),
-                // No formula of it is shown.
-                Superposed::Outside => Formula::zero(),
+                _ => open.next().unwrap_or_else(Formula::zero),
             };
             with_collected(Formula::sum([Formula::Closed(closed), open]))
         });
@@ -237,21 +262,20 @@ impl SolvedChain {
         if !self.intervals.iter().flat_map(|i| &i.terms).any(SolvedTerm::has_open_pressure) {
             return vec![Formula::zero(); self.intervals.len()];
         }
-        match self.g_primes() {
+        match self.g_primes(SolvedTerm::has_open_pressure) {
             Ok(Some(list)) => self.open_pressures_from_g_primes(&list),
             // `derive` has made sure that (r f′)′ exists.
             _ => self.open_pressures_from_profile(solution).unwrap_or_else(|_| vec![Formula::zero(); self.intervals.len()]),
         }
     }
 
-    /// What the terms of every interval whose pressure is left as an integral add to g′, within the interval and beyond it;
-    /// `None` if g is not closed.
-    fn g_primes(&self) -> Result<Option<Vec<[Expr; 2]>>, TransformError> {
+    /// What the selected terms of every interval add to g′, within the interval and beyond it; `None` if their g is not closed.
+    fn g_primes(&self, is_selected: impl Fn(&SolvedTerm) -> bool) -> Result<Option<Vec<[Expr; 2]>>, TransformError> {
         let x = Symbol::new("x");
         let mut g_primes = Vec::with_capacity(self.intervals.len());
         for solved in &self.intervals {
             let (mut within, mut beyond) = (Vec::new(), Vec::new());
-            for term in solved.terms.iter().filter(|t| t.has_open_pressure()) {
+            for term in solved.terms.iter().filter(|term| is_selected(term)) {
                 let Some((_, answer)) = &term.answer else { return Ok(None) };
                 within.push(derivative(&shown(&answer.equivalent.within.shown), &x)?);
                 beyond.push(derivative(&shown(&answer.equivalent.beyond.shown), &x)?);
@@ -294,6 +318,26 @@ impl SolvedChain {
         all
     }
 
+    /// The integrals over g′ of the terms without a closed field, for the contacts that end on each interval.
+    fn open_fields(&self, field: Superposed) -> Vec<Formula> {
+        let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
+        let weight = match field {
+            Superposed::Outside => Expr::integer(2) / Expr::pi() * Expr::call("asin", [&x / Expr::symbol("r")]),
+            _ => axial_weight(&x),
+        };
+        let Ok(Some(g_primes)) = self.g_primes(|term| field.is_open(term)) else { return vec![Formula::zero(); self.intervals.len()] };
+        let (mut ended, mut before, mut all) = (Vec::new(), Vec::new(), Vec::with_capacity(g_primes.len()));
+        for (index, [within, beyond]) in g_primes.into_iter().enumerate() {
+            let g_prime = Expr::sum(before.iter().chain([&within]).cloned());
+            let begin = index.checked_sub(1).and_then(|index| self.breakpoints.get(index)).cloned().unwrap_or_else(Expr::zero);
+            let part = |end: Expr| (!g_prime.is_zero()).then(|| integral(&g_prime * &weight, "x", begin.clone(), end));
+            all.push(Formula::sum(ended.iter().cloned().chain(part(a.clone()))));
+            ended.extend(self.breakpoints.get(index).and_then(|end| part(end.clone())));
+            before.push(beyond);
+        }
+        all
+    }
+
     /// ∫ (s f′(s))′ K(s, r) ds + Σ b δ K(b, r), per interval.
     fn open_pressures_from_profile(&self, solution: &Solution) -> Result<Vec<Formula>, TransformError> {
         let name = bound_name(solution);
@@ -320,6 +364,12 @@ impl SolvedChain {
         }
         Ok(all)
     }
+}
+
+/// x (x²+3z²)/(x²+z²)².
+pub(crate) fn axial_weight(x: &Expr) -> Expr {
+    let (square, depth) = (x.power(2), Expr::symbol("z").power(2));
+    x * (&square + Expr::integer(3) * &depth) / (square + depth).power(2)
 }
 
 /// Returns true if the formula has a closed part that is not 0.

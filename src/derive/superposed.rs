@@ -17,6 +17,8 @@ pub enum Superposed {
     Pressure,
     /// u(r) outside a contact with a smooth edge.
     Outside,
+    /// −σ_zz(z)·π/E* on the axis under a smooth edge.
+    Axial,
 }
 
 impl Superposed {
@@ -27,6 +29,7 @@ impl Superposed {
             Self::Force => "F",
             Self::Pressure => "p",
             Self::Outside => "u outside the contact",
+            Self::Axial => "the stress below the surface",
         }
     }
 
@@ -38,29 +41,31 @@ impl Superposed {
     /// The arguments of its closed forms: a radius and the contact radius, or the contact radius alone.
     pub(crate) fn inputs(self, coordinates: &[f64; 2]) -> &[f64] {
         match self {
-            Self::Pressure | Self::Outside => coordinates,
+            Self::Pressure | Self::Outside | Self::Axial => coordinates,
             Self::Equivalent | Self::Force => coordinates.split_at(1).1,
         }
     }
 
-    fn branches(self, solved: &SolvedTerm) -> Option<Branches> {
+    pub(crate) fn branches(self, solved: &SolvedTerm) -> Option<Branches> {
         let answer = || solved.answer.as_ref().map(|(_, answer)| answer);
         match self {
             Self::Equivalent => Some(answer()?.equivalent.clone()),
             Self::Force => Some(answer()?.force.clone()),
             Self::Pressure => answer()?.pressure.clone(),
-            // The solution is independent of the rules of the terms.
+            // The solutions are independent of the rules of the terms.
             Self::Outside => rules::outside(&solved.term),
+            Self::Axial => rules::axial(&solved.term),
         }
     }
 
-    /// True if the closed form of the term agreed with quadrature when it was derived; false for u outside, which is never shown.
+    /// True if the closed form of the term agreed with quadrature when it was derived; false for fields, which are compared when their
+    /// formula is put together.
     pub(crate) fn agrees(self, solved: &SolvedTerm) -> bool {
         match self {
             Self::Equivalent => solved.agreement.equivalent,
             Self::Force => solved.agreement.force,
             Self::Pressure => solved.agreement.pressure,
-            Self::Outside => false,
+            Self::Outside | Self::Axial => false,
         }
     }
 
@@ -69,7 +74,7 @@ impl Superposed {
         match self {
             Self::Equivalent | Self::Force => solved.is_open(),
             Self::Pressure => solved.has_open_pressure(),
-            Self::Outside => rules::outside(&solved.term).is_none(),
+            Self::Outside | Self::Axial => self.branches(solved).is_none(),
         }
     }
 }
@@ -104,7 +109,7 @@ impl Solution {
 
     /// The evaluated forms of a quantity, chain by chain, to be summed; `None` if an integral remains.
     ///
-    /// g(x) is over x, F/(2E*) over a, and p π/E* over r and a, r < a.
+    /// g(x) is over x, F/(2E*) over a, p π/E* and u over r and a, and −σ_zz π/E* over z and a.
     ///
     /// ```
     /// use sneddon::{parse, transform::{Profile, Superposed, derive}};

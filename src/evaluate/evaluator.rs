@@ -90,6 +90,7 @@ pub(crate) struct NumericChain {
     force: OnceLock<ClosedAndOpen>,
     pressure: OnceLock<ClosedAndOpen>,
     outside: OnceLock<ClosedAndOpen>,
+    axial: OnceLock<ClosedAndOpen>,
 }
 
 /// The closed expressions of one quantity, one per interval of the contact and `None` where it is 0, each compiled where a contact
@@ -134,6 +135,7 @@ impl<'a> Evaluator<'a> {
                 force: OnceLock::new(),
                 pressure: OnceLock::new(),
                 outside: OnceLock::new(),
+                axial: OnceLock::new(),
             });
         }
         let limits = solution.profile.limits().map(number).collect::<Result<_, _>>()?;
@@ -390,10 +392,10 @@ impl<'a> Evaluator<'a> {
         found.and_then(|reading| finite(reading, "r", r))
     }
 
-    /// ∫₀^a g′(x) x(x²+3z²)/(x²+z²)² dx, which is −σ_zz(z)·π/E* on the axis under a smooth edge; always by quadrature.
+    /// ∫₀^a g′(x) x(x²+3z²)/(x²+z²)² dx, which is −σ_zz(z)·π/E* on the axis under a smooth edge.
     ///
     /// # Errors
-    /// As [`Self::equivalent`]; [`TransformError::NoClosedForm`] if a closed form is required.
+    /// As [`Self::equivalent`].
     pub fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
         work::bounded(|| self.stress_on_axis(z, a))
     }
@@ -405,14 +407,16 @@ impl<'a> Evaluator<'a> {
             let infinite = || TransformError::Statement { what: "z", got: z, accepted: "a depth z > 0 below the apex of a pointed tip" };
             return self.pressure(0.0, a)?.ok_or_else(infinite);
         }
-        if self.method == Method::Exact {
-            return Err(TransformError::NoClosedForm { quantity: "the stress below the surface" });
-        }
-        if let Method::Only(way) = self.method {
-            return way.answer(self, Ask::Axial { z, a }).and_then(|found| finite(found, "z", z));
-        }
-        let typed = by_quadrature(self.typed()?.axial(z, a, self.tolerance).map(Some));
-        let found = Best::of(self.tolerance, typed).or(|| self.by_recognition(Ask::Axial { z, a })).answer();
+        let ask = Ask::Axial { z, a };
+        let found = match self.method {
+            Method::Only(way) => way.answer(self, ask),
+            Method::Auto if self.closed_forms(Superposed::Axial, a)?.is_none() => {
+                // The weight of f′ is positive: closed terms are no more accurate than the whole.
+                let typed = by_quadrature(self.typed()?.axial(z, a, self.tolerance).map(Some));
+                Best::of(self.tolerance, typed).or(|| self.by_recognition(ask)).answer()
+            }
+            _ => self.combine(Superposed::Axial, ask),
+        };
         finite(found?, "z", z)
     }
 
@@ -452,6 +456,7 @@ impl<'a> Evaluator<'a> {
             Superposed::Force => &numeric.force,
             Superposed::Pressure => &numeric.pressure,
             Superposed::Outside => &numeric.outside,
+            Superposed::Axial => &numeric.axial,
         };
         if let Some(ready) = cell.get() {
             return Ok(ready);
@@ -476,6 +481,7 @@ impl<'a> Evaluator<'a> {
             Superposed::Equivalent => &["x"],
             Superposed::Force => &["a"],
             Superposed::Pressure | Superposed::Outside => &["r", "a"],
+            Superposed::Axial => &["z", "a"],
         };
         let symbols: Vec<Symbol> = inputs.iter().map(|name| Symbol::new(name)).collect();
         let expr = self.bindings.apply(&chain.closed(interval, quantity, |pair| &pair.evaluated));

@@ -210,6 +210,9 @@ pub(crate) fn modest(found: Estimate, own: f64, asked: f64) -> Estimate {
 /// The points are close enough for a tail that begins at one of them to be detected from the next.
 pub(crate) const GRADES: &[f64] = &[1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
 
+/// Angles from the edge at which the range of a displacement outside is split, relative to that within which its weight turns.
+const TURNS: [f64; 3] = [1.0, 30.0, 1000.0];
+
 /// Most points of a rule.
 pub(crate) const MOST_POINTS: usize = 61;
 
@@ -298,6 +301,11 @@ impl NumericSegment {
         // The angles from the lower end and to the upper end; points are measured from the ends of their panels.
         let mut ends: Vec<f64> = grades.iter().map(|share| share * width).collect();
         ends.extend(cuts.iter().map(|cut| forms::angle_between(lower, lower + cut, x)).filter(|angle| *angle > 0.0 && *angle < width));
+        if let Weight::Outside(r) = weight {
+            // Next to the edge the weight turns within an angle of this size at the upper end.
+            let turn = (r - x).sqrt() * (r + x).sqrt() / x;
+            ends.extend(TURNS.map(|share| width - (share * turn - beyond)).into_iter().filter(|angle| *angle > 0.0 && *angle < width));
+        }
         ends.sort_by(f64::total_cmp);
         ends.dedup();
         let (first, last) = (ends.first().copied(), ends.last().copied());

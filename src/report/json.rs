@@ -48,13 +48,14 @@ pub fn derivation(record: &Derivation<'_>, steps: Option<&[contact::Step]>, out:
         steps: Option<Vec<Step<'a>>>,
     }
     let in_text = |list: Vec<Prose>| list.iter().map(|own| own.written(Notation::Text)).collect();
+    let entries = record.entries();
     let document = Document {
         complete: Completion(Unchecked::why(&record.check)),
         profile: Typeset::of(&record.presentation.formula(record.formula())),
         shift: record.shift().map(|shift| Typeset::of(&record.presentation.formula(&shift.clone().into()))),
         conditions: in_text(record.conditions()),
-        entries: Entries(record),
-        notes: in_text(record.notes()),
+        entries: Entries(&entries, record.presentation),
+        notes: in_text(record.notes(&entries)),
         check: Check::of(&record.check),
         digits: record.presentation.digits,
         steps: steps.map(|list| list.iter().map(|own| Step::of(own, record.presentation)).collect()),
@@ -224,17 +225,12 @@ impl Typeset {
 }
 
 /// Returns the derived quantities by key.
-struct Entries<'a>(&'a Derivation<'a>);
+struct Entries<'a>(&'a [super::Entry<'a>], &'a Presentation);
 
-impl Serialize for Entries<'_> {
+impl<'a> Serialize for Entries<'a> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let presentation = self.0.presentation;
-        serializer.collect_map(
-            self.0
-                .entries()
-                .iter()
-                .map(|entry| (entry.key, entry.derived.as_deref().map(|own| StatedFormula::presented(own, presentation)))),
-        )
+        let stated = |entry: &'a super::Entry<'a>| (entry.key, entry.derived.as_deref().map(|own| StatedFormula::presented(own, self.1)));
+        serializer.collect_map(self.0.iter().map(stated))
     }
 }
 

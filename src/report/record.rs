@@ -4,13 +4,13 @@ use super::{infinite_pressure, open_pressure};
 use crate::contact::{Comparisons, Edge, Formulas, Measured, Quantity, Reason, Relations, WayResult};
 use crate::expr::{Condition, Expr, Formula, Relation, Symbol};
 use crate::print::{Presentation, Prose};
-use crate::transform::{Check, Derived, Profile, TransformError};
+use crate::transform::{Check, Derived, Solution, TransformError};
 use std::borrow::Cow;
 
 /// The result of `derive`.
 pub struct Derivation<'a> {
-    /// The profile, with the given parameter values.
-    pub profile: &'a Profile,
+    /// The solution of the profile, with the given parameter values.
+    pub solution: &'a Solution,
     /// f as typed, with the given parameter values.
     pub typed: &'a Formula,
     /// The edge of the contact.
@@ -73,13 +73,13 @@ impl Derivation<'_> {
             self.asked
         };
         let has_rim = self.has_rim();
-        let all = Formulas { relations: self.relations, typed: self.typed, shape: self.profile, has_rim };
+        let all = Formulas { relations: self.relations, typed: self.typed, solution: self.solution, has_rim };
         list.iter().map(|own| Entry { key: own.relation(), left: own.left(has_rim), derived: own.formula(&all) }).collect()
     }
 
     /// Returns f(0) if it was subtracted.
     pub fn shift(&self) -> Option<&Expr> {
-        Some(&self.profile.shift).filter(|shift| !shift.is_zero())
+        Some(&self.solution.profile.shift).filter(|shift| !shift.is_zero())
     }
 
     /// Returns f as typed.
@@ -87,8 +87,8 @@ impl Derivation<'_> {
         self.typed
     }
 
-    /// Returns notes about the formulas.
-    pub fn notes(&self) -> Vec<Prose> {
+    /// Returns notes about the formulas of these entries.
+    pub fn notes(&self, entries: &[Entry<'_>]) -> Vec<Prose> {
         let mut notes = Vec::new();
         if self.relations.pressure.is_none() {
             notes.push(
@@ -102,10 +102,11 @@ impl Derivation<'_> {
         }
         let pressure = self.relations.pressure.as_ref().filter(|_| self.asked.is_empty() || self.asked.contains(&Quantity::Pressure));
         let reasons = pressure.map_or_else(Vec::new, |own| open_pressure::reasons(&own.formula));
-        let infinite = pressure.and_then(|_| infinite_pressure::note(self.profile));
+        let infinite = pressure.and_then(|_| infinite_pressure::note(&self.solution.profile));
         if self.relations.conditions.iter().flat_map(Prose::conditions).any(may_hold_again) {
             notes.push("a condition on $r$ must hold at every radius from 0 to $a$");
         }
+        notes.extend(entries.iter().filter_map(open_field));
         let notes = notes.into_iter().map(Prose::read);
         let all = conventions().into_iter().chain(notes).chain(reasons).chain(infinite).chain(rounding(self.presentation));
         all.map(|own| own.presented(self.presentation)).collect()
@@ -120,6 +121,24 @@ impl Derivation<'_> {
     pub(super) fn has_rim(&self) -> bool {
         matches!(self.edge, Edge::Rim(_))
     }
+}
+
+/// Why a displacement outside the contact, or a stress on the axis, has an integral or no formula.
+fn open_field(entry: &Entry<'_>) -> Option<&'static str> {
+    let has_integral = entry.derived.as_ref().map(|own| own.formula.has_integral());
+    Some(match (entry.key, has_integral) {
+        ("u", Some(true)) => {
+            "the integral in $u(r)$ is over $g'(x)$; outside the contact, the program has closed forms for powers, spheres, ellipsoids and \
+             hyperboloids, and for pieces with $f'(r)$ = $c_0 + c_1*r$"
+        }
+        ("sigma_zz", Some(true)) => {
+            "the integral in $sigma_zz(z)$ is over $g'(x)$; on the axis, the program has closed forms for powers, and for pieces with $f'(r)$ = \
+             $c*r$"
+        }
+        ("u", None) => "a part of $g(x)$ has no closed form, so $u(r)$ outside the contact has no formula over $g'(x)$",
+        ("sigma_zz", None) => "a part of $g(x)$ has no closed form, so $sigma_zz(z)$ has no formula over $g'(x)$",
+        _ => return None,
+    })
 }
 
 /// True for a condition on r that may hold again beyond the end of the profile, as 0 < cos(c)*cos(r/b + c) does; r < b does not.

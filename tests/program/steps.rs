@@ -210,7 +210,7 @@ fn quantities_by_definition_have_the_values_of_eval() {
         let profile = Profile::new(&typed).unwrap();
         let solution = derive(&profile).unwrap();
         let found = relations(&solution, &Edge::Smooth).unwrap();
-        let all = Formulas { relations: &found, typed: &typed, shape: &profile, has_rim: false };
+        let all = Formulas { relations: &found, typed: &typed, solution: &solution, has_rim: false };
         for quantity in Quantity::ALL {
             // The integrals that remain in a pressure are singular at r; other tests compare pressures.
             let Some(derived) = quantity.formula(&all).filter(|_| *quantity != Quantity::Pressure) else { continue };

@@ -2,9 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use sneddon::contact::Contact;
-use sneddon::expr::Bindings;
+use sneddon::eval::constant_value;
+use sneddon::expr::{Bindings, Expr, Formula};
 use sneddon::parse;
-use sneddon::transform::{Closure, Evaluator, Interpolation, Method, Profile, Solution, derive};
+use sneddon::transform::{Closure, Evaluator, Interpolation, Method, Profile, Reading, Solution, Superposed, derive};
 use sneddon_checks::seeds::{cases, sample};
 use std::f64::consts::PI;
 
@@ -134,6 +135,80 @@ fn sums_of_parts_that_cancel_meet_the_tolerance() {
                 assert!(found.error <= tolerance * found.value.abs(), "{text}, {tolerance:e}: {found:?}");
             }
         }
+    }
+}
+
+/// Profiles with closed displacements outside the contact, and whether their stresses on the axis are closed too.
+const FIELDS: [(&str, bool); 14] = [
+    ("r^2/4", true),
+    ("r/5", true),
+    ("r^3/7", true),
+    ("r^8/9", true),
+    ("r^11/9", true),
+    ("r^(1/2)/3", true),
+    ("r^(27/10)/3+r/8", true),
+    ("piecewise(0,r<0.3,(r^2-0.09)/4)", true),
+    ("piecewise(r^2/4,r<0.3,r^2/2-0.0225)", true),
+    ("piecewise(0,r<0.3,(r-0.3)/4)", false),
+    ("min(r^2/4,0.04)", true),
+    ("2-sqrt(4-r^2)", false),
+    ("sqrt(1+r^2)-1", false),
+    ("max(0,r-0.2)^2+r^3", false),
+];
+
+/// Closed fields agree with quadrature within both errors, near and far; the formulas as they are shown agree with the values.
+#[test]
+fn closed_fields_are_those_of_quadrature() {
+    let a = 0.7;
+    let mut worst = 0.0f64;
+    for (text, has_stress) in FIELDS {
+        let solution = solution(text);
+        let by = |method| Contact::new(Evaluator::new(&solution, &Bindings::default(), method, 1e-13).unwrap(), 1.0, None, 1e-13);
+        let (closed, plain) = (by(Method::Auto), by(Method::Quadrature));
+        let mut compare = |field: Superposed, place: f64, found: Reading, truth: Reading, factor: f64| {
+            let (own, other) = (found.estimate, truth.estimate);
+            assert_eq!(found.method, "exact", "{text} {field:?}({place:e})");
+            assert!((own.value - other.value).abs() <= own.error + other.error, "{text} {field:?}({place:e}): {own:?}, {other:?}");
+            // Farther away the terms of pieces cancel even with thirty digits.
+            assert!(own.relative_error() < 1e-13 || place > 1e3, "{text} {field:?}({place:e}): {own:?}");
+            let formula = solution.field(field).unwrap().formula;
+            let coordinate = if field == Superposed::Outside { "r" } else { "z" };
+            let values: Bindings = [("a", exact(a)), (coordinate, exact(place))].into_iter().collect();
+            let shown = factor * value(&formula, &values);
+            // As printed, terms cancel far away.
+            if (1e-2..2.0).contains(&place) {
+                worst = worst.max((shown / own.value - 1.0).abs());
+            }
+        };
+        for share in [1.0 + 1e-14, 1.0 + 1e-12, 1.0 + 1e-9, 1.0 + 1e-6, 1.001, 1.7, 30.0, 1e5] {
+            let r = share * a;
+            compare(Superposed::Outside, r, closed.displacement(r, a).unwrap(), plain.displacement(r, a).unwrap(), 1.0);
+        }
+        for z in [1e-9, 1e-3, 0.2, 0.7, 5.0, 1e3, 1e8].into_iter().filter(|_| has_stress) {
+            let stress = |contact: &Contact<'_>| contact.axial_stress(z, a).unwrap().unwrap();
+            compare(Superposed::Axial, z, stress(&closed), stress(&plain), -1.0 / PI);
+        }
+    }
+    println!("largest difference of shown formulas: {worst:e}");
+    assert!(worst < 1e-9, "{worst:e}");
+}
+
+fn exact(value: f64) -> Expr {
+    parse::constant(&format!("{value:?}")).unwrap()
+}
+
+/// The value of a closed formula, whose pieces end at breakpoints of a.
+fn value(formula: &Formula, values: &Bindings) -> f64 {
+    let number = |expr: &Expr| constant_value(expr, values).unwrap().value;
+    match formula {
+        Formula::Closed(expr) => number(expr),
+        Formula::Sum(parts) => parts.iter().map(|part| value(part, values)).sum(),
+        Formula::Scaled(factor, inner) => number(factor) * value(inner, values),
+        Formula::Piecewise { variable, pieces, last } => {
+            let at = number(&Expr::from(variable.clone()));
+            value(pieces.iter().find(|(_, end)| at < number(end)).map_or(last, |(piece, _)| piece), values)
+        }
+        Formula::Integral { .. } => panic!("{formula:?}"),
     }
 }
 

@@ -71,7 +71,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     };
     let steps = steps.transpose().map_err(|error| failed(error.into()))?;
     let record = Derivation {
-        profile: &profile,
+        solution: &solution,
         typed: &shown,
         edge: &edge,
         relations: &relations,

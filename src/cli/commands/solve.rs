@@ -241,7 +241,7 @@ impl<'a> Formulas<'a> {
     /// The record of these quantities; of the usual ones for an empty list.
     fn record<'b>(&'b self, asked: &'b [Quantity]) -> Derivation<'b> {
         Derivation {
-            profile: &self.solution().profile,
+            solution: self.solution(),
             typed: &self.typed,
             edge: &self.edge,
             relations: &self.relations,

@@ -1,8 +1,9 @@
 //! The formulas of the quantities: the derived relations, and what follows from them by definition.
 
 use crate::contact::Relations;
-use crate::expr::{Bindings, Expr, Formula, Symbol, derivative, shown};
-use crate::transform::{Derived, Profile};
+use crate::contact::report::{at_rim, excess, together};
+use crate::expr::{Bindings, Expr, Formula, Symbol, in_lowest_terms};
+use crate::transform::{Derived, Solution, Superposed, axial_weight};
 use std::borrow::Cow;
 
 /// The inputs of the formulas of a contact.
@@ -12,8 +13,8 @@ pub struct Formulas<'a> {
     pub relations: &'a Relations,
     /// f as it was typed.
     pub typed: &'a Formula,
-    /// The profile.
-    pub shape: &'a Profile,
+    /// The solution of the profile.
+    pub solution: &'a Solution,
     /// True for a punch with a rim at the contact radius.
     pub has_rim: bool,
 }
@@ -23,7 +24,7 @@ type Stated<'a> = Cow<'a, Derived>;
 impl<'a> Formulas<'a> {
     /// f(r) − f(0).
     pub(super) fn profile(&self) -> Stated<'a> {
-        let formula = Formula::sum([self.typed.clone(), Formula::Closed(-&self.shape.shift)]);
+        let formula = Formula::sum([self.typed.clone(), Formula::Closed(-&self.solution.profile.shift)]);
         Cow::Owned(Derived::given(formula))
     }
 
@@ -64,28 +65,33 @@ impl<'a> Formulas<'a> {
         Some(by_definition(integral(Formula::Closed(work), "x", Expr::zero(), a()).scaled(&modulus()), &self.relations.g))
     }
 
-    /// d − f(r) within the contact, an integral outside.
+    /// d − f(r) within the contact; outside, (2/π) [∫₀^a g′(x) arcsin(x/r) dx + (d − g(a)) arcsin(a/r)].
     pub(super) fn displacement(&self) -> Option<Stated<'a>> {
-        let (d, shift) = (self.relations.d.formula.clone(), Formula::Closed(self.shape.shift.clone()));
+        let (d, shift) = (self.relations.d.formula.clone(), Formula::Closed(self.solution.profile.shift.clone()));
         let inside = Formula::sum([d, self.typed.clone().scaled(&Expr::integer(-1)), shift]);
-        let (r, x) = (Expr::symbol("r"), Expr::symbol("x"));
-        let load = self.compressed().as_closed()? / (r.power(2) - x.power(2)).sqrt();
-        let outside = integral(Formula::Closed(load), "x", Expr::zero(), a()).scaled(&(Expr::integer(2) / Expr::pi()));
+        let angle = Expr::call("asin", [a() / Expr::symbol("r")]);
+        let (field, outside) = self.field(Superposed::Outside, &Expr::one(), &(Expr::integer(2) / Expr::pi() * angle))?;
         let formula = Formula::Piecewise { variable: Symbol::new("r"), pieces: vec![(inside, a())], last: Box::new(outside) };
-        Some(by_definition(formula, &self.relations.g))
+        Some(Cow::Owned(Derived { formula, ..field }))
     }
 
-    /// −(E*/π) ∫₀^a g′ x(x²+3z²)/(x²+z²)² dx; `None` under a rim, whose edge adds a term that is left to numbers.
+    /// −(E*/π) [∫₀^a g′(x) W(x) dx + (d − g(a)) W(a)], W(x) = x(x²+3z²)/(x²+z²)².
     pub(super) fn axial_stress(&self) -> Option<Stated<'a>> {
-        if self.has_rim {
-            return None;
-        }
-        let (x, z, g) = (Expr::symbol("x"), Expr::symbol("z"), &self.relations.g);
-        let derived = derivative(&shown(g.formula.as_closed()?), &Symbol::new("x")).ok()?;
-        let (square, depth) = (x.power(2), z.power(2));
-        let weight = x * (&square + Expr::integer(3) * &depth) / (square + depth).power(2);
-        let formula = integral(Formula::Closed(derived * weight), "x", Expr::zero(), a()).scaled(&-(modulus() / Expr::pi()));
-        Some(by_definition(formula, g))
+        let factor = -(modulus() / Expr::pi());
+        let (field, formula) = self.field(Superposed::Axial, &factor, &(&factor * axial_weight(&a())))?;
+        Some(Cow::Owned(Derived { formula, ..field }))
+    }
+
+    /// A field of the smooth profile times a factor, and under a rim another factor times d − g(a).
+    fn field(&self, field: Superposed, factor: &Expr, at_edge: &Expr) -> Option<(Derived, Formula)> {
+        let found = self.solution.field(field)?;
+        let smooth = found.formula.clone().scaled(factor);
+        let formula = if self.has_rim {
+            together(Formula::sum([at_rim(smooth), excess(self.relations).scaled(at_edge)]))
+        } else {
+            smooth.map(&in_lowest_terms)
+        };
+        Some((found, formula))
     }
 
     /// d − g(x).

@@ -1,6 +1,7 @@
 //! The list of exact solutions, with one line and one file per family.
 
 pub(crate) mod abel;
+mod axial;
 mod bessel;
 mod combination;
 mod error_function;
@@ -26,6 +27,7 @@ mod shifted_power;
 mod struve;
 mod wave;
 
+pub use axial::axial;
 pub use outside::outside;
 pub use power::kappa;
 

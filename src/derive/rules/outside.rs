@@ -7,7 +7,7 @@ use super::reading;
 use crate::derive::domain::located::is_approximate;
 use crate::derive::rule::{Branches, Pair};
 use crate::derive::term::Term;
-use crate::expr::{Expr, Sign, sign};
+use crate::expr::{Expr, Sign, rewritten, sign};
 
 /// The contribution of a term to u(r) for r > a under a smooth edge, over the symbols r and a; `None` if no closed form is known.
 ///
@@ -16,7 +16,7 @@ use crate::expr::{Expr, Sign, sign};
 pub fn outside(term: &Term) -> Option<Branches> {
     let two_over_pi = Expr::integer(2) / Expr::pi();
     if term.segment.is_whole() {
-        return power(term).or_else(|| root(term)).map(|expr| Branches::endless(Pair::same(two_over_pi * expr)));
+        return power(term).or_else(|| root(term)).map(|expr| Branches::endless(both(&(two_over_pi * expr), &Expr::zero())));
     }
     if is_approximate(&term.segment.lower) || term.segment.upper.as_ref().is_some_and(is_approximate) {
         return None;
@@ -27,7 +27,24 @@ pub fn outside(term: &Term) -> Option<Branches> {
         [flat, rising] => (flat.clone(), rising.clone()),
         _ => return None,
     };
-    Some(Branches::from_ends(&term.segment, |end| Pair::same(worn(&flat, &rising, end))).scaled(&two_over_pi))
+    Some(Branches::from_ends(&term.segment, |end| both(&worn(&flat, &rising, end), end)).scaled(&two_over_pi))
+}
+
+/// The angles whose sine is a/r and whose cosine is b/a are shown as these, and evaluated from roots, which keep their digits at the edge.
+fn both(evaluated: &Expr, b: &Expr) -> Pair {
+    let (a, r) = (Expr::symbol("a"), Expr::symbol("r"));
+    let (sine, cosine) = (Expr::call("atan", [&a / leg(&a, &r)]), Expr::call("atan", [leg(b, &a) / b]));
+    let shown = rewritten(evaluated, &|own, _| match own {
+        _ if *own == sine => Some(Expr::call("asin", [&a / &r])),
+        _ if *own == cosine && !b.is_zero() => Some(Expr::call("acos", [b / &a])),
+        _ => None,
+    });
+    Pair { shown, evaluated: evaluated.clone() }
+}
+
+/// √(r² − a²).
+fn leg(a: &Expr, r: &Expr) -> Expr {
+    (r.power(2) - a.power(2)).sqrt()
 }
 
 /// f′ = c r^(n−1): c κ_n/n ∫ n x^(n−1) asin(x/r) dx.
@@ -47,7 +64,7 @@ fn root(term: &Term) -> Option<Expr> {
         return None;
     }
     let (a, r) = (Expr::symbol("a"), Expr::symbol("r"));
-    let leg = (r.power(2) - a.power(2)).sqrt();
+    let leg = leg(&a, &r);
     let angle = Expr::call("atan", [&a / &leg]);
     let own = |magnitude: &Expr| (&part.coefficient / magnitude.sqrt(), (&alpha / magnitude).sqrt());
     match sign(&beta) {
@@ -77,8 +94,8 @@ fn worn(flat: &Expr, rising: &Expr, b: &Expr) -> Expr {
         let power = |n: i64| Expr::call("outside_power", [Expr::integer(n), a.clone(), r.clone()]);
         return flat * Expr::pi() / Expr::integer(2) * power(1) + rising * power(2);
     }
-    let inner = (a.power(2) - b.power(2)).sqrt();
-    let outer = (r.power(2) - a.power(2)).sqrt();
+    let inner = leg(b, &a);
+    let outer = leg(&a, &r);
     let (t, angle) = (&inner / &outer, Expr::call("atan", [&a / &outer]));
     let arc = Expr::call("atan", [&inner / b]);
     let turn = Expr::call("atan", [t.clone()]);

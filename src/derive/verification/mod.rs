@@ -4,10 +4,12 @@ mod parameters;
 
 use crate::derive::chain::Chain;
 use crate::derive::profile::Profile;
-use crate::derive::solved::Agreement;
-use crate::derive::solved::{SolvedChain, SolvedTerm};
+use crate::derive::rule::Branches;
+use crate::derive::solved::{Agreement, SolvedChain, SolvedTerm};
+use crate::derive::term::Term;
 use crate::expr::{Condition, Expr, Symbol};
 use crate::num::work;
+pub use parameters::fields::Field;
 use parameters::{ParameterDraw, Subject};
 
 /// The results of verifying the terms of a solution.
@@ -99,6 +101,16 @@ impl Gate {
     /// True unless the terms are proven not to add up to f′ as it was typed.
     pub fn recognition_holds(&self, chain: &Chain, slopes: &[Expr], solved: &[SolvedChain]) -> bool {
         self.draws.iter().all(|draw| draw.recognition_holds(chain, slopes, solved))
+    }
+
+    /// Whether the closed field of a term agrees with quadrature; `None` if it is contradicted.
+    pub fn field_agrees(&self, field: &Field, term: &Term, forms: &Branches) -> Option<bool> {
+        let compare = |draw: &ParameterDraw| work::share(LONGEST, || draw.compare_field(field, term, forms)).flatten();
+        let verdicts = self.draws.iter().map(|draw| compare(draw).unwrap_or(Verdict::Unknown));
+        match verdicts.fold(Verdict::Unknown, Verdict::or) {
+            Verdict::Wrong => None,
+            own => Some(own == Verdict::Agrees),
+        }
     }
 
     /// Compares a solved term with quadrature and gives up what is wrong.

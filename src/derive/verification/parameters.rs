@@ -1,5 +1,7 @@
 //! One random set of parameters, and the comparison of a term with quadrature for these parameters.
 
+pub(super) mod fields;
+
 use super::Verdict;
 use crate::derive::chain::Chain;
 use crate::derive::rule::{Answer, Pair};

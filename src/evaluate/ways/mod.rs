@@ -120,7 +120,7 @@ pub static WAYS: [Way; 16] = [
 const ALL: &[&str] = &["f", "g", "F", "G", "p", "u", "sigma_zz"];
 
 const fn closed(key: &'static str, title: &'static str) -> Way {
-    Way { missing: OPEN, method: "exact", run: by_closed_forms, ..integral(key, title, &["f", "g", "F", "G", "p", "u"], Bound::Proven) }
+    Way { missing: OPEN, method: "exact", run: by_closed_forms, ..integral(key, title, ALL, Bound::Proven) }
 }
 
 const fn integral(key: &'static str, title: &'static str, quantities: &'static [&'static str], bound: Bound) -> Way {
@@ -180,7 +180,8 @@ fn superposed(ask: Ask) -> Option<Superposed> {
         Ask::Force(_) => Some(Superposed::Force),
         Ask::Pressure { .. } => Some(Superposed::Pressure),
         Ask::Outside { .. } => Some(Superposed::Outside),
-        Ask::Integral(_) | Ask::Height(_) | Ask::Axial { .. } => None,
+        Ask::Axial { .. } => Some(Superposed::Axial),
+        Ask::Integral(_) | Ask::Height(_) => None,
     }
 }
 

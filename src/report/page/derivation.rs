@@ -5,7 +5,7 @@ use super::{Block, Page, definitions};
 use crate::contact::Quantity;
 use crate::expr::Formula;
 use crate::print::Prose;
-use crate::report::{Derivation, text};
+use crate::report::{Derivation, Entry, text};
 
 impl Page {
     /// Creates the page of the result of `derive`.
@@ -22,10 +22,11 @@ impl Page {
             page.blocks.push(Block::Remark(remark.presented(presentation)));
         }
         let mut shown = vec![record.formula().clone()];
-        for entry in record.entries() {
-            match entry.derived {
+        let entries = record.entries();
+        for entry in &entries {
+            match &entry.derived {
                 Some(derived) => {
-                    let sources = Sources::of(&derived);
+                    let sources = Sources::of(derived);
                     page.equation(entry.key, &presentation.name(entry.left), &presentation.formula(&derived.formula), sources);
                     shown.push(derived.formula.clone());
                 }
@@ -36,18 +37,18 @@ impl Page {
                     .push(Block::Sentence(Prose::default().then(&format!("${}$: no explicit form", presentation.name(entry.left))))),
             }
         }
-        page.close(record, &shown);
+        page.close(record, &entries, &shown);
         page
     }
 
-    fn close(&mut self, record: &Derivation<'_>, shown: &[Formula]) {
+    fn close(&mut self, record: &Derivation<'_>, entries: &[Entry<'_>], shown: &[Formula]) {
         self.list("Conditions", "condition", record.conditions());
-        self.close_steps(record, shown);
+        self.close_steps(record, entries, shown);
     }
 
     /// Adds the notes and the check.
-    pub(super) fn close_steps(&mut self, record: &Derivation<'_>, shown: &[Formula]) {
-        self.list("Notes", "note", record.notes().into_iter().chain(definitions::of(shown)).collect());
+    pub(super) fn close_steps(&mut self, record: &Derivation<'_>, entries: &[Entry<'_>], shown: &[Formula]) {
+        self.list("Notes", "note", record.notes(entries).into_iter().chain(definitions::of(shown)).collect());
         self.list("Check against quadrature of f as typed", "check", vec![Prose::words(&text::outcome(&record.check))]);
     }
 }

@@ -11,8 +11,9 @@ impl Page {
     pub fn of_steps(record: &Derivation<'_>, steps: &[Step]) -> Self {
         let mut page = Self::of_numbered("Derivation", steps, record.presentation);
         page.parametrize(record.formula(), record.presentation);
-        let shown: Vec<_> = record.entries().into_iter().filter_map(|entry| Some(entry.derived?.formula.clone())).collect();
-        page.close_steps(record, &shown);
+        let entries = record.entries();
+        let shown: Vec<_> = entries.iter().filter_map(|entry| Some(entry.derived.as_ref()?.formula.clone())).collect();
+        page.close_steps(record, &entries, &shown);
         page
     }
 

@@ -106,8 +106,7 @@ fn derived(profile: &str, depth: Option<&str>, quantity: Quantity, logarithms: b
     let read = if depth.is_some() { parse::punch(profile) } else { parse::profile(profile) };
     let own = read.unwrap().substitute(&Bindings::one("a", Expr::from(rim.clone())));
     let shown = own.substitute(&Bindings::one(rim.name(), Expr::symbol("a")));
-    let profile = Profile::new(&own).unwrap();
-    let solution = transform::derive(&profile).unwrap();
+    let solution = transform::derive(&Profile::new(&own).unwrap()).unwrap();
     let edge = if depth.is_some() { Edge::Rim(Expr::symbol("d")) } else { Edge::Smooth };
     let relations = relations(&solution, &edge).unwrap();
     let renamed = depth.filter(|name| *name != "d").map(|name| ("d".to_owned(), name.to_owned()));
@@ -116,7 +115,7 @@ fn derived(profile: &str, depth: Option<&str>, quantity: Quantity, logarithms: b
     let check = transform::check(&solution).map_err(Into::into);
     let asked = [quantity];
     let record = Derivation {
-        profile: &profile,
+        solution: &solution,
         typed: &shown,
         edge: &edge,
         relations: &relations,

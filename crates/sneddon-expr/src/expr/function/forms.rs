@@ -10,12 +10,35 @@ use crate::num::double_double::two_sum;
 use crate::num::{Precise, Region, forms, kappa, precise as thirty};
 use num_complex::Complex64;
 
-/// aⁿ arcsin(a/r) − aⁿ⁺¹/((n+1) r) 2F1(1/2, (n+1)/2; (n+3)/2; a²/r²).
+/// aⁿ arcsin(a/r) − ∫₀^a xⁿ/√(r²−x²) dx, where the integral is aⁿ⁺¹/((n+1) r) 2F1(1/2, (n+1)/2; (n+3)/2; a²/r²), and elementary for whole n.
 fn outside_power(n: &Expr, a: &Expr, r: &Expr) -> Expr {
+    if let Some(n) = n.as_integer().filter(|n| (1..=HIGHEST_OUTSIDE).contains(n)) {
+        return outside_whole_power(n, a, r);
+    }
     let (half, next) = (Expr::ratio(1, 2), n + Expr::one());
     let lower = (n + Expr::integer(3)) * &half;
     let hyper = Expr::call("hyp2f1", [half.clone(), &next * &half, lower, a.power(2) / r.power(2)]);
     a.pow(n) * Expr::call("asin", [a / r]) - a.pow(&next) / (next * r) * hyper
+}
+
+/// Displacements of powers up to this order are written out.
+const HIGHEST_OUTSIDE: i64 = 8;
+
+/// The same with ∫₀^a xⁿ/√(r²−x²) dx = ((n − 1) r² ∫₀^a xⁿ⁻²/√(r²−x²) dx − aⁿ⁻¹ √(r²−a²))/n from arcsin(a/r) or r − √(r²−a²) on.
+fn outside_whole_power(n: i64, a: &Expr, r: &Expr) -> Expr {
+    let leg = (r.power(2) - a.power(2)).sqrt();
+    let angle = Expr::call("asin", [a / r]);
+    let even = n % 2 == 0;
+    // The factor of the first integral, and those of the root.
+    let (mut first, mut roots) = (Expr::one(), if even { Vec::new() } else { vec![Expr::integer(-1)] });
+    for m in (if even { 2 } else { 3 }..=n).step_by(2) {
+        let share = Expr::ratio(m - 1, m) * r.power(2);
+        first = first * &share;
+        roots.iter_mut().for_each(|own| *own = &*own * &share);
+        roots.push(-a.power(m - 1) / Expr::integer(m));
+    }
+    let begin = first * if even { angle.clone() } else { r.clone() };
+    a.power(n) * angle - begin - Expr::sum(roots) * leg
 }
 
 /// The angle whose cosine is b/x, 0 ≤ b ≤ x.
