@@ -9,7 +9,7 @@ use crate::derive::solved::{Agreement, SolvedChain, SolvedTerm};
 use crate::derive::term::Term;
 use crate::expr::{Condition, Expr, Symbol};
 use crate::num::work;
-pub use parameters::fields::Field;
+pub(crate) use parameters::fields::Field;
 use parameters::{ParameterDraw, Subject};
 
 /// The results of verifying the terms of a solution.
