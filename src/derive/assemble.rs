@@ -2,9 +2,10 @@
 
 use crate::derive::engine::Solution;
 use crate::derive::engine::expanded_or_same;
-use crate::derive::rules::abel;
+use crate::derive::rules::{self, abel};
 use crate::derive::solved::{SolvedChain, SolvedInterval, SolvedTerm};
 use crate::derive::superposed::Superposed;
+use crate::derive::term::Term;
 use crate::derive::verification::{Field, Gate};
 use crate::expr::function::pressure_power_in_one_term;
 use crate::expr::{
@@ -102,7 +103,7 @@ impl Solution {
         let is_open = |term: &SolvedTerm| field.is_open(term);
         let known = |chain: &SolvedChain| {
             let has_open = chain.intervals.iter().flat_map(|own| &own.terms).any(is_open);
-            !has_open || (chain.has_pressure_formula() && matches!(chain.g_primes(is_open), Ok(Some(_))))
+            !has_open || (chain.has_pressure_formula() && matches!(chain.g_primes(is_open, |_| false), Ok(Some(_))))
         };
         if !self.chains.iter().all(known) {
             return None;
@@ -262,22 +263,42 @@ impl SolvedChain {
         if !self.intervals.iter().flat_map(|i| &i.terms).any(SolvedTerm::has_open_pressure) {
             return vec![Formula::zero(); self.intervals.len()];
         }
-        match self.g_primes(SolvedTerm::has_open_pressure) {
-            Ok(Some(list)) => self.open_pressures_from_g_primes(&list),
+        let begun = self.begun_pressures();
+        match self.g_primes(SolvedTerm::has_open_pressure, |term| begun.iter().any(|(own, _)| std::ptr::eq(*own, term))) {
+            Ok(Some(list)) => self.open_pressures_from_g_primes(&list, &Expr::sum(begun.into_iter().map(|(_, own)| own))),
             // `derive` has made sure that (r f′)′ exists.
             _ => self.open_pressures_from_profile(solution).unwrap_or_else(|_| vec![Formula::zero(); self.intervals.len()]),
         }
     }
 
-    /// What the selected terms of every interval add to g′, within the interval and beyond it; `None` if their g is not closed.
-    fn g_primes(&self, is_selected: impl Fn(&SolvedTerm) -> bool) -> Result<Option<Vec<[Expr; 2]>>, TransformError> {
+    /// The terms of a piece that begins at the axis and ends, whose pressure would be closed if they did not end, with this pressure.
+    fn begun_pressures(&self) -> Vec<(&SolvedTerm, Expr)> {
+        let pressure = |solved: &SolvedTerm| {
+            let endless = Term { segment: Segment::whole(), parts: solved.term.parts.clone() };
+            let (_, answer) = rules::answer(&endless)?;
+            answer.pressure.filter(|_| answer.conditions.is_empty()).map(|own| own.within.shown)
+        };
+        let first = self.intervals.first().filter(|own| own.segment.upper.is_some() && own.segment.lower.is_zero());
+        let terms = first.into_iter().flat_map(|own| &own.terms).filter(|term| term.has_open_pressure());
+        terms.filter_map(|term| Some((term, pressure(term)?))).collect()
+    }
+
+    /// What the selected terms of every interval add to g′, within the interval, unless that is left out, and beyond it; `None` if their g is
+    /// not closed.
+    fn g_primes(
+        &self,
+        is_selected: impl Fn(&SolvedTerm) -> bool,
+        is_left_out: impl Fn(&SolvedTerm) -> bool,
+    ) -> Result<Option<Vec<[Expr; 2]>>, TransformError> {
         let x = Symbol::new("x");
         let mut g_primes = Vec::with_capacity(self.intervals.len());
         for solved in &self.intervals {
             let (mut within, mut beyond) = (Vec::new(), Vec::new());
             for term in solved.terms.iter().filter(|term| is_selected(term)) {
                 let Some((_, answer)) = &term.answer else { return Ok(None) };
-                within.push(derivative(&shown(&answer.equivalent.within.shown), &x)?);
+                if !is_left_out(term) {
+                    within.push(derivative(&shown(&answer.equivalent.within.shown), &x)?);
+                }
                 beyond.push(derivative(&shown(&answer.equivalent.beyond.shown), &x)?);
             }
             g_primes.push([Expr::sum(within), Expr::sum(beyond)]);
@@ -286,8 +307,8 @@ impl SolvedChain {
     }
 
     /// ∫ g′(x)/√(x²−r²) dx for the contacts that end on each interval: over the intervals below the end with all that g′ is
-    /// there.
-    fn open_pressures_from_g_primes(&self, g_primes: &[[Expr; 2]]) -> Vec<Formula> {
+    /// there, and the closed pressure `begun` of the first interval.
+    fn open_pressures_from_g_primes(&self, g_primes: &[[Expr; 2]], begun: &Expr) -> Vec<Formula> {
         let (x, r, a) = (Expr::symbol("x"), Expr::symbol("r"), Expr::symbol("a"));
         let root = (x.power(2) - r.power(2)).sqrt();
         let from = |begin: Option<&Expr>| begin.map_or_else(|| r.clone(), |begin| Expr::call("max", [begin.clone(), r.clone()]));
@@ -310,8 +331,17 @@ impl SolvedChain {
         let mut all = Vec::with_capacity(g_primes.len());
         for (index, [within, beyond]) in g_primes.iter().enumerate() {
             let g_prime = shorter(Expr::sum(before.iter().chain([within]).cloned()));
-            all.push(Formula::sum(ended.iter().cloned().chain([part(&g_prime, begin(index), None)])));
             let end = self.breakpoints.get(index);
+            if index == 0 && !begun.is_zero() {
+                // The pressure under a contact that ends at max(b, r) is that of the piece below b, and 0 beyond it.
+                let up_to_end = end.map_or_else(|| a.clone(), |end| Expr::call("max", [end.clone(), r.clone()]));
+                all.push(Formula::sum([Formula::Closed(begun.clone()), part(&g_prime, None, None)]));
+                ended.push(Formula::Closed(Bindings::one("a", up_to_end).apply(begun)));
+                ended.push(part(&g_prime, None, end));
+                before.push(beyond.clone());
+                continue;
+            }
+            all.push(Formula::sum(ended.iter().cloned().chain([part(&g_prime, begin(index), None)])));
             ended.push(part(&g_prime, begin(index), end));
             before.push(beyond.clone());
         }
@@ -325,7 +355,9 @@ impl SolvedChain {
             Superposed::Outside => Expr::integer(2) / Expr::pi() * Expr::call("asin", [&x / Expr::symbol("r")]),
             _ => axial_weight(&x),
         };
-        let Ok(Some(g_primes)) = self.g_primes(|term| field.is_open(term)) else { return vec![Formula::zero(); self.intervals.len()] };
+        let Ok(Some(g_primes)) = self.g_primes(|term| field.is_open(term), |_| false) else {
+            return vec![Formula::zero(); self.intervals.len()];
+        };
         let (mut ended, mut before, mut all) = (Vec::new(), Vec::new(), Vec::with_capacity(g_primes.len()));
         for (index, [within, beyond]) in g_primes.into_iter().enumerate() {
             let g_prime = Expr::sum(before.iter().chain([&within]).cloned());

@@ -49,9 +49,7 @@ impl Kind {
                  over a parameter, for which no closed form is known"
             }
             Self::Hypergeometric => "the integral in $p(r)$ contains a hypergeometric function and a square root; no closed form is known",
-            Self::Logarithm => {
-                "the integral in $p(r)$ contains a logarithm; the catalogue has closed forms only for products with odd powers of x"
-            }
+            Self::Logarithm => "the integral in $p(r)$ contains a logarithm times a power of x, for which the catalogue has no closed form",
             Self::Algebraic => "the integral in $p(r)$ contains only roots; the catalogue has no closed form for it",
         }
     }
@@ -84,7 +82,7 @@ fn in_expression(expr: &Expr, variable: &Symbol, found: &mut BTreeSet<Kind>) {
         // sin(atan x) is algebraic, and ln(x + √(x²+1)) is an inverse function.
         Node::Function(function, arguments) => match (function.name(), arguments.as_slice()) {
             ("sin" | "cos" | "tan", [argument]) if is_inverse(argument) => None,
-            ("ln", [argument]) if !matches!(argument.node(), Node::Symbol(_) | Node::Product(_)) => Some(Kind::Inverse),
+            ("ln", [argument]) if !is_monomial(argument, variable) => Some(Kind::Inverse),
             (name, _) => Kind::of(name),
         },
         Node::Power(base, exponent) if *base == Expr::euler() && exponent.contains(variable) => Some(Kind::Bessel),
@@ -96,6 +94,11 @@ fn in_expression(expr: &Expr, variable: &Symbol, found: &mut BTreeSet<Kind>) {
         }
         None => expr.children().into_iter().for_each(|child| in_expression(child, variable, found)),
     }
+}
+
+/// True for a power of the variable times a constant.
+fn is_monomial(expr: &Expr, variable: &Symbol) -> bool {
+    expr.factors().iter().filter(|own| own.contains(variable)).all(|own| own.split_power().0.as_symbol() == Some(variable))
 }
 
 fn is_inverse(expr: &Expr) -> bool {

@@ -95,7 +95,7 @@ fn named_parts_fit_and_mean_the_same() {
 /// A pressure of two pieces stays wider than 44 letters, whatever is named; its parts fit all the same.
 #[test]
 fn parts_fit_where_the_whole_does_not() {
-    let profile = "piecewise(R-sqrt(R^2-r^2), r<b, R-sqrt(R^2-b^2)+(r-b)*b/sqrt(R^2-b^2))";
+    let profile = "piecewise(h*ln(1+r^2/w^2), r<b, h*ln(1+b^2/w^2)+(r-b)*s)";
     let document: serde_json::Value = serde_json::from_str(&answer(&["derive", profile, "--json"])).unwrap();
     let whole = formula(document["p"]["text"].as_str().unwrap());
     let mut names = Names::avoiding(["a", "d", "F", "p", "E"]);

@@ -21,6 +21,22 @@ const OPEN: &[(&str, &Values<'static>)] = &[
     ("min(C*r^2.5, h)", &[("C", 0.8), ("h", 0.5)]),
     ("C*r^2*ln(1+r/b)", &[("b", 0.7), ("C", 1.2)]),
     ("h*((w^2+r^2)*ln(1+r^2/w^2)-r^2)", &[("h", 0.7), ("w", 1.2)]),
+    // Odd powers over (x² ± w²)^k.
+    ("h*ln(1+r^2/w^2)", &[("h", 0.7), ("w", 1.2)]),
+    ("-h*ln(1-r^2/R^2)", &[("h", 0.7), ("R", 2.5)]),
+    ("h*r^2/(r^2+w^2)", &[("h", 0.7), ("w", 1.2)]),
+    ("h/(1+r^2/w^2)^2", &[("h", -0.7), ("w", 1.2)]),
+    ("r^6/(r^2+w^2)^2", &[("w", 1.2)]),
+    ("h*r^2/(R^2-r^2)^3", &[("h", 0.7), ("R", 2.5)]),
+    // Pieces that begin at the axis, with one end or more.
+    ("piecewise(R-sqrt(R^2-r^2), r<b, R-sqrt(R^2-b^2)+(r-b)*s)", &[("R", 2.0), ("b", 0.6), ("s", 0.4)]),
+    (
+        "piecewise(h*atan(r/w), r<b, h*atan(b/w)+(r-b)*s, r<c, h*atan(b/w)+(c-b)*s)",
+        &[("h", 0.7), ("w", 1.2), ("b", 0.6), ("c", 1.1), ("s", 0.4)],
+    ),
+    ("piecewise(r^2+h*(sqrt(1+r^2/w^2)-1), r<b, b^2+h*(sqrt(1+b^2/w^2)-1))", &[("h", 0.7), ("w", 1.2), ("b", 0.6)]),
+    ("min(1-1/sqrt(1+r^2/w^2), h)", &[("h", 0.2), ("w", 1.2)]),
+    ("piecewise(C*r*ln(r), r<b, C*b*ln(b))", &[("C", 0.7), ("b", 0.6)]),
 ];
 
 /// Radii within every piece of the profiles, and the contact radius.

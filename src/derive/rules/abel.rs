@@ -26,6 +26,8 @@ enum Known<'a> {
     OverRoot(i64, &'a Expr),
     /// x arcosh(x/b), from max(b, r) on.
     Arcosh(&'a Expr),
+    /// x/(x²+q)^k for q of either sign, from r on.
+    Pole(Expr, i64),
 }
 
 /// Splits ∫ `g_prime`/√(x²−r²) dx into a closed part and a remaining integral.
@@ -41,8 +43,13 @@ pub(crate) fn split(g_prime: &Expr, kinks: &[Expr], lower: Option<&Expr>, upper:
         return None;
     }
     let (mut closed, mut open) = (Vec::new(), Vec::new());
+    // Beside R_C(x², b²), a pole at x = b is no pole of g′.
+    let is_removable = g_prime.parts().any(|own| matches!(own.node(), Node::Function(function, _) if function.name() == "elliprc"));
     for term in normal::normal_terms(g_prime, &Symbol::new("x")).ok()? {
-        let known = known(&term, kinks);
+        let mut known = known(&term, kinks);
+        if is_removable && known.iter().any(|(_, own)| matches!(own, Known::Pole(q, _) if sign(q) == Sign::Negative)) {
+            known.clear();
+        }
         if known.is_empty() {
             open.push(term);
         }
@@ -101,6 +108,17 @@ impl Known<'_> {
                 let exponential = Expr::call("exp", [kappa * r.power(2)]);
                 Expr::pi().sqrt() / (Expr::integer(2) * &scale) * exponential * Expr::call(name, [scale * root])
             }
+            Self::Pole(q, k) => {
+                // t² = x² − r² gives J_k = ∫ dt/(t² + c²)^k with c² = r² + q, and 2k c² J_(k+1) = w/(w² + c²)^k + (2k − 1) J_k.
+                let (square, sum) = (r.power(2) + q, top.power(2) + q);
+                let (name, length, sign) = match sign(q) {
+                    Sign::Negative => ("atanh", (-&square).sqrt(), Expr::integer(-1)),
+                    _ => ("atan", square.sqrt(), Expr::one()),
+                };
+                let first = sign * Expr::call(name, [&root / &length]) / length;
+                let next = |own: Expr, k: i64| (&root / sum.power(k) + Expr::integer(2 * k - 1) * own) / (Expr::integer(2 * k) * &square);
+                (1..*k).fold(first, next)
+            }
         }
     }
 }
@@ -139,7 +157,10 @@ fn known<'a>(term: &NormalTerm, kinks: &'a [Expr]) -> Vec<(Expr, Known<'a>)> {
         let arcosh = || arcosh(&term.kernel, kinks).filter(|_| m == 1).map(Known::Arcosh);
         let gaussian = || exponent_of_square(&term.kernel).filter(|_| m == 1).map(Known::Gaussian);
         let logarithm = || (term.kernel == Expr::call("ln", [Expr::symbol("x")])).then_some(Known::Logarithm(m));
-        return arcosh().or_else(gaussian).or_else(logarithm).map_or_else(Vec::new, only);
+        if let Some(found) = arcosh().or_else(gaussian).or_else(logarithm) {
+            return only(found);
+        }
+        return pole(m, term).unwrap_or_default();
     }
     let (base, exponent) = super::reading::power(&term.kernel);
     let is_half = |sign: i64| exponent.as_number() == Some(&Number::ratio(sign, 2));
@@ -153,6 +174,35 @@ fn known<'a>(term: &NormalTerm, kinks: &'a [Expr]) -> Vec<(Expr, Known<'a>)> {
     }
     // √Q = Q/√Q
     vec![(coefficient.clone(), Known::OverRoot(m / 2 + 1, b)), (-coefficient * b.power(2), Known::OverRoot(m / 2, b))]
+}
+
+/// x^m/(α+βx²)^k for odd m as poles and powers.
+fn pole<'a>(m: i64, term: &NormalTerm) -> Option<Vec<(Expr, Known<'a>)>> {
+    /// Higher orders are long.
+    const HIGHEST: i64 = 4;
+    let (base, exponent) = super::reading::power(&term.kernel);
+    let k = -exponent.as_integer().filter(|k| (-HIGHEST..=-1).contains(k))?;
+    let variable = Symbol::new("x");
+    let [constant, linear, factor] = <[Expr; 3]>::try_from(normal::polynomial_coefficients(&base, &variable)?).ok()?;
+    let q = constant / &factor;
+    if !linear.is_zero() || !matches!(sign(&q), Sign::Positive | Sign::Negative) {
+        return None;
+    }
+    let mut found = Vec::new();
+    reduced(m, k, &(&term.coefficient * factor.power(-k)), &q, &mut found);
+    Some(found)
+}
+
+/// Adds c x^m/(x²+q)^k, by x² = (x²+q) − q.
+fn reduced(m: i64, k: i64, c: &Expr, q: &Expr, found: &mut Vec<(Expr, Known<'_>)>) {
+    match (m, k) {
+        (_, 0) => found.push((c.clone(), Known::Power(Expr::integer(m)))),
+        (1, _) => found.push((c.clone(), Known::Pole(q.clone(), k))),
+        _ => {
+            reduced(m - 2, k - 1, c, q, found);
+            reduced(m - 2, k, &-(c * q), q, found);
+        }
+    }
 }
 
 /// Returns b of arcosh(x/b) if b is one of `kinks`.
