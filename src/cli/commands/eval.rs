@@ -169,6 +169,12 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
         error => Failure::profile(&typed.text, &error),
     };
+    if let Method::Only(way) = method
+        && quantity == Quantity::Pressure
+        && !way.quantities.contains(&quantity.key())
+    {
+        return Err(failed(TransformError::NoSuchWay { way: way.key, quantity: quantity.key() }.into()));
+    }
     let profile = settings.bound_profile(&typed)?;
     if profile.is_flat() && by_load {
         let message = format!("{} of a flat punch depends on the radius of its rim", quantity.left(false));
@@ -246,6 +252,9 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Tabular::Text => report::text::evaluation(&record, out),
     })?;
     points::warn_of_missing_values(&record.readings);
+    if record.ways.iter().flatten().flatten().any(WayResult::is_cut) {
+        warn("the work limit was reached before every way was asked; raise it with --budget SECONDS");
+    }
     if record.is_cut() {
         return Ok(Outcome::Failed);
     }

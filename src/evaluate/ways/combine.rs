@@ -133,7 +133,7 @@ impl Evaluator<'_> {
             // Infinite parts of both signs: theory says whether the whole is infinite too.
             return match whole()? {
                 None => Ok(None),
-                Some(_) => Err(TransformError::NoClosedForm { quantity: quantity.name() }),
+                Some(_) => Err(TransformError::NotComputable { at: place }),
             };
         }
         if self.method == Method::Exact || estimate.meets(self.tolerance) {

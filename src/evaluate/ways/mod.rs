@@ -60,7 +60,7 @@ pub static WAYS: [Way; 16] = [
     closed(THIRTY_DIGITS, "closed forms with 30 digits, rounded once"),
     closed(WIDE_EXPONENT, "closed forms with 30 digits and an exponent that does not overflow"),
     Way {
-        missing: "an integral is infinite",
+        missing: "an integral is infinite or too large for a number",
         method: "mixed",
         run: in_parts,
         ..integral(
