@@ -318,7 +318,7 @@ impl RootSearch<'_> {
                 Some(error) => seen.refused = Some(error),
             }
         };
-        let place = self.before_features(&mut seen, place, depth);
+        let place = self.with_features(&mut seen, place, depth);
         if let Err(cut) = work::check() {
             return Err(TransformError::from(cut).into());
         }
@@ -338,19 +338,20 @@ impl RootSearch<'_> {
     }
 
     /// The first sample that reaches the depth once narrow features before it, or before the largest sample, are sampled as well.
-    fn before_features(&mut self, seen: &mut SearchState, place: Option<usize>, depth: f64) -> Option<usize> {
+    fn with_features(&mut self, seen: &mut SearchState, place: Option<usize>, depth: f64) -> Option<usize> {
         let largest = || seen.places.iter().max_by(|one, other| one.1.total_cmp(&other.1));
         let (reached, _) = place.map_or_else(largest, |place| seen.places.get(place)).copied()?;
         let last = self.places.partition_point(|a| *a < reached);
         // Beyond the largest sample, a feature may be the only place that reaches the depth.
         let last = if place.is_some() { last } else { last + 1 };
-        let mut found = false;
+        let mut is_changed = false;
         for index in last.saturating_sub(DECADES - 1)..=last {
             let lower = index.checked_sub(1).and_then(|before| self.places.get(before)).copied().unwrap_or(self.start);
             let Some(upper) = self.places.get(index).copied() else { continue };
             if !seen.examined.insert(index) {
                 continue;
             }
+            let mut found = false;
             for a in (self.features)(lower, upper) {
                 let at = seen.places.partition_point(|own| own.0 < a);
                 if seen.places.get(at).is_some_and(|own| own.0 == a) {
@@ -368,10 +369,11 @@ impl RootSearch<'_> {
                 let mut beyond = seen.places.split_off(end);
                 self.climb(first, &mut seen.places);
                 seen.places.append(&mut beyond);
+                is_changed = true;
             }
         }
         self.refused = None;
-        if found { seen.places.iter().position(|(_, g)| *g >= depth) } else { place }
+        if is_changed { seen.places.iter().position(|(_, g)| *g >= depth) } else { place }
     }
 
     /// Divides the radius by ten until g is less than the depth.

@@ -4,11 +4,17 @@ use crate::contact::indentation::cells::{Cells, around};
 use crate::contact::indentation::curvature::Curvature;
 use crate::num::work;
 use crate::transform::Quantities;
-use std::sync::OnceLock;
+use std::collections::BTreeMap;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
-/// The curvature of a profile, compiled by the first search; `None` for a profile that is not a formula.
+/// The narrow features of a profile, for all searches.
 #[derive(Default)]
-pub(in crate::contact) struct Features(OnceLock<Option<Curvature<'static>>>);
+pub(in crate::contact) struct Features {
+    /// Compiled by the first search; `None` for a profile that is not a formula.
+    curvature: OnceLock<Option<Curvature<'static>>>,
+    /// The radii that were found, by the bits of the ends of their range.
+    found: Mutex<BTreeMap<(u64, u64), Vec<f64>>>,
+}
 
 /// Maximum number of steps for one range of radii.
 const LOOKING: u64 = 3_000_000;
@@ -25,8 +31,18 @@ impl Features {
     /// g′(x) = ∫₀^{π/2} (r f′)′|_{r = x sin t} dt is negative only where (r f′)′ is negative, or beyond a concave kink. Enclosures find
     /// every range with a negative (r f′)′ that is wider than a millionth of its radius.
     pub(in crate::contact) fn between<P: Quantities + ?Sized>(&self, shape: &P, lower: f64, upper: f64) -> Vec<f64> {
+        let key = (lower.to_bits(), upper.to_bits());
+        if let Some(known) = self.found.lock().unwrap_or_else(PoisonError::into_inner).get(&key) {
+            return known.clone();
+        }
         let compiled = || shape.formulas()?.iter().try_fold(Curvature::of(Vec::new()), |sum, own| sum.with(own).ok());
-        let Some(curvature) = self.0.get_or_init(|| work::unbroken(compiled)) else { return Vec::new() };
+        let Some(curvature) = self.curvature.get_or_init(|| work::unbroken(compiled)) else { return Vec::new() };
+        let found = work::unbroken(|| Self::next_to_bends(curvature, lower, upper));
+        self.found.lock().unwrap_or_else(PoisonError::into_inner).insert(key, found.clone());
+        found
+    }
+
+    fn next_to_bends(curvature: &Curvature<'_>, lower: f64, upper: f64) -> Vec<f64> {
         let kinks = curvature.kinks();
         let mut found: Vec<f64> =
             kinks.iter().filter(|kink| kink.jump < 0.0).flat_map(|kink| [kink.at * (1.0 - BEFORE), kink.at]).collect();
