@@ -231,6 +231,7 @@ pub(super) static ROWS: &[Row] = &[
         slice: Some(slices::ACOSH),
         complex: Some(|a| complex(a, Complex64::acosh)),
         derivative: Some(|a, _| Some((first(a).power(2) - Expr::one()).sqrt().recip())),
+        fold: Some(|a| only(a).filter(|own| own.is_one()).map(|_| Expr::zero())),
         sign: Some(|_| Sign::Positive),
         domain: Some(|a| vec![first(a) - Expr::one()]),
         region: Some(|a| region(a, Region::acosh)),
