@@ -333,7 +333,7 @@ impl SolvedChain {
             let g_prime = shorter(Expr::sum(before.iter().chain([within]).cloned()));
             let end = self.breakpoints.get(index);
             if index == 0 && !begun.is_zero() {
-                // The pressure under a contact that ends at max(b, r) is that of the piece below b, and 0 beyond it.
+                // Under a contact that ends at max(b, r), the piece alone presses below b, and nothing beyond.
                 let up_to_end = end.map_or_else(|| a.clone(), |end| Expr::call("max", [end.clone(), r.clone()]));
                 all.push(Formula::sum([Formula::Closed(begun.clone()), part(&g_prime, None, None)]));
                 ended.push(Formula::Closed(Bindings::one("a", up_to_end).apply(begun)));

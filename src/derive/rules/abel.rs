@@ -43,7 +43,7 @@ pub(crate) fn split(g_prime: &Expr, kinks: &[Expr], lower: Option<&Expr>, upper:
         return None;
     }
     let (mut closed, mut open) = (Vec::new(), Vec::new());
-    // Beside R_C(x², b²), a pole at x = b is no pole of g′.
+    // Beside R_C(x², b²), poles at x = b cancel.
     let is_removable = g_prime.parts().any(|own| matches!(own.node(), Node::Function(function, _) if function.name() == "elliprc"));
     for term in normal::normal_terms(g_prime, &Symbol::new("x")).ok()? {
         let mut known = known(&term, kinks);
