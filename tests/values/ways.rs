@@ -130,6 +130,28 @@ fn doubles_next_to_a_kink_lie_on_their_side_of_it() {
     }
 }
 
+/// Class "the double next to a kink": a contact that ends within a unit in the last place beyond the kink of a cone has its logarithm.
+/// The values are by mpmath with 40 digits, for `max(0, r − 7/3)` and a = 2.333…3335.
+#[test]
+fn pressures_of_a_contact_that_ends_next_to_a_kink_are_within_their_bounds() {
+    let solution = derive(&Profile::new(&parse::profile("max(0,r-7/3)").unwrap()).unwrap()).unwrap();
+    let a = 7.0 / 3.0;
+    for (r, truth) in [
+        (1.166_666_666_666_666_7, 4.140_192_973_869_184e-9),
+        (2.333_333_333_333_332_6, 0.137_989_679_454_441_1),
+        (2.333_333_333_333_333, 0.209_600_359_139_491_38),
+    ] {
+        for way in WAYS.iter() {
+            let Some(found) = alone(&contact(&solution, &Bindings::default(), Method::Only(way)), Quantity::Pressure, r, a) else {
+                continue;
+            };
+            assert!((found.value - truth).abs() <= found.error + 2.0 * f64::EPSILON * truth, "{r} {}: {found:?}", way.key);
+        }
+        let answer = alone(&contact(&solution, &Bindings::default(), Method::Auto), Quantity::Pressure, r, a).unwrap();
+        assert!(answer.relative_error() < 2e-14, "{r}: {answer:?}");
+    }
+}
+
 /// Random profiles: no two ways differ by more than their bounds, and the answer lies within those of all.
 #[test]
 fn no_two_ways_disagree() {

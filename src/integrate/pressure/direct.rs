@@ -123,11 +123,12 @@ impl NumericProfile {
             Some(own) => own.height = own.height + height,
             None => jumps.push(Jump { at, end, height }),
         };
+        let is_below = |end: &Endpoint| end.to(Endpoint::exact(a)) > 0.0;
         for segment in &self.segments {
-            if segment.lower.value > 0.0 && segment.lower.value < a {
+            if segment.lower.value > 0.0 && is_below(&segment.ends.0) {
                 add(segment.lower, segment.ends.0, segment.f_prime_at(0.0));
             }
-            if let (Some(upper), Some(end)) = (segment.upper.filter(|u| u.value < a), segment.ends.1) {
+            if let (Some(upper), Some(end)) = (segment.upper, segment.ends.1.filter(is_below)) {
                 add(upper, end, -segment.f_prime_at(upper.value - segment.lower.value));
             }
         }
@@ -169,10 +170,10 @@ impl NumericSegment {
     ///
     /// A part may have no reliable digit, as near the axis; only the error of the sum is checked.
     fn pressure(&self, s: f64, a: f64, tolerance: f64) -> Result<Vec<Estimate>, TransformError> {
-        let (lower, place) = (self.ends.0, Endpoint::exact(s));
-        let end = self.ends.1.filter(|own| own.at < a).unwrap_or(Endpoint::exact(a));
+        let (lower, place, edge) = (self.ends.0, Endpoint::exact(s), Endpoint::exact(a));
+        let end = self.ends.1.filter(|own| own.to(edge) > 0.0).unwrap_or(edge);
         let mut parts = Vec::new();
-        if lower.at >= end.at {
+        if lower.to(end) <= 0.0 {
             return Ok(parts);
         }
         let bend = self.bend()?;

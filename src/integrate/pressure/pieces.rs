@@ -39,9 +39,9 @@ pub(crate) fn pressure_of_segments<'a>(
     let mut ranges = Vec::new();
     let (unit, place_of_s) = (Region::real(1.0) / Region::real(a), place_of_s(s, a));
     for segment in segments {
-        let lower = segment.ends.0;
-        let end = segment.ends.1.filter(|upper| upper.at < a).unwrap_or(Endpoint::exact(a));
-        if lower.at >= end.at {
+        let (lower, edge) = (segment.ends.0, Endpoint::exact(a));
+        let end = segment.ends.1.filter(|upper| upper.to(edge) > 0.0).unwrap_or(edge);
+        if lower.to(end) <= 0.0 {
             continue;
         }
         let bend = segment.bend().ok()?;
