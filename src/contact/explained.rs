@@ -71,10 +71,6 @@ impl<'a> Explained<'a> {
 
 /// The result of one way; `None` if the way does not apply to the quantity.
 fn asked(way: &'static Way, contact: &Contact<'_>, quantity: Quantity, at: f64, radius: f64) -> Option<WayResult> {
-    // At an apex the theory answers before the way is asked.
-    if quantity == Quantity::Pressure && !way.quantities.contains(&quantity.key()) {
-        return None;
-    }
     let share = MOST_STEPS.min(work::left().saturating_sub(RESERVE));
     if share == 0 {
         return Some(WayResult { way: way.key, found: Err(NOT_ASKED.to_owned()), steps: 0 });

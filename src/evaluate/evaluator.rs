@@ -411,7 +411,7 @@ impl<'a> Evaluator<'a> {
         let found = match self.method {
             Method::Only(way) => way.answer(self, ask),
             Method::Auto if self.closed_forms(Superposed::Axial, a)?.is_none() => {
-                // The weight of f′ is positive: closed terms are no more accurate than the whole.
+                // Samples may miss everything in an open term that the whole profile shows, and no bound on this integral is proven.
                 let typed = by_quadrature(self.typed()?.axial(z, a, self.tolerance).map(Some));
                 Best::of(self.tolerance, typed).or(|| self.by_recognition(ask)).answer()
             }

@@ -217,6 +217,10 @@ fn a_way_without_an_answer_is_an_error() {
     let by = |key: &str| contact(&solution, &Bindings::default(), Method::Only(Way::of(key).unwrap()));
     let other = by("legendre").force(0.5);
     assert!(matches!(other, Err(ContactError::Transform(TransformError::NoSuchWay { way: "legendre", quantity: "F" }))), "{other:?}");
+    // Theory makes the pressure infinite at a pointed apex, and a way that does not compute pressures is refused there as well.
+    let cone = derive(&Profile::new(&parse::profile("r").unwrap()).unwrap()).unwrap();
+    let apex = contact(&cone, &Bindings::default(), Method::Only(Way::of("gauss").unwrap())).pressure(0.0, 0.9);
+    assert!(matches!(apex, Err(ContactError::Transform(TransformError::NoSuchWay { way: "gauss", quantity: "p" }))), "{apex:?}");
     let none = by("doubles").force(0.5);
     assert!(matches!(none, Err(ContactError::Transform(TransformError::NotThisWay { way: "doubles", .. }))), "{none:?}");
     // No search for a radius takes that for a proof that there is none.

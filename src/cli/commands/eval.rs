@@ -169,12 +169,6 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
         error => Failure::profile(&typed.text, &error),
     };
-    if let Method::Only(way) = method
-        && quantity == Quantity::Pressure
-        && !way.quantities.contains(&quantity.key())
-    {
-        return Err(failed(TransformError::NoSuchWay { way: way.key, quantity: quantity.key() }.into()));
-    }
     let profile = settings.bound_profile(&typed)?;
     if profile.is_flat() && by_load {
         let message = format!("{} of a flat punch depends on the radius of its rim", quantity.left(false));

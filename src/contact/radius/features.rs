@@ -21,8 +21,8 @@ const LOOKING: u64 = 3_000_000;
 /// A range in which the profile bends down is narrow up to this width, relative to its radius.
 const NARROW: f64 = 0.2;
 /// Maximum number of features in one range of radii.
-const MOST: usize = 64;
-/// Distance of the radius next to a concave kink from it, in units in the last place: the kink itself is rounded.
+const MOST_FEATURES: usize = 64;
+/// Relative distance from a concave kink, which is rounded itself, of a radius before it.
 const BEFORE: f64 = 4.0 * f64::EPSILON;
 
 impl Features {
@@ -48,7 +48,7 @@ impl Features {
             kinks.iter().filter(|kink| kink.jump < 0.0).flat_map(|kink| [kink.at * (1.0 - BEFORE), kink.at]).collect();
         let runs = work::share(LOOKING, || Cells::signs(curvature, &kinks, lower, upper).map(|cells| cells.falling_runs()));
         let is_narrow = |(from, to): &(f64, f64)| to - from < NARROW * to;
-        found.extend(runs.flatten().unwrap_or_default().into_iter().filter(is_narrow).take(MOST).flat_map(around));
+        found.extend(runs.flatten().unwrap_or_default().into_iter().filter(is_narrow).take(MOST_FEATURES).flat_map(around));
         found.retain(|r| *r > lower && *r < upper);
         found.sort_by(f64::total_cmp);
         found.dedup();

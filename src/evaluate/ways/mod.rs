@@ -138,15 +138,18 @@ impl Way {
         WAYS.iter().find(|own| own.key == key)
     }
 
+    /// Refuses a quantity that this way does not compute.
+    pub(crate) fn check(&self, ask: Ask) -> Result<(), TransformError> {
+        if self.quantities.contains(&ask.key()) { Ok(()) } else { Err(TransformError::NoSuchWay { way: self.key, quantity: ask.key() }) }
+    }
+
     /// The requested number, computed by this way alone; `None` if it is theoretically infinite.
     ///
     /// # Errors
     /// [`TransformError::NoSuchWay`] for another quantity, [`TransformError::NotThisWay`] if the way has no answer, and what
     /// [`Evaluator::equivalent`] has.
     pub(crate) fn answer(&'static self, evaluator: &Evaluator<'_>, ask: Ask) -> Result<Option<Reading>, TransformError> {
-        if !self.quantities.contains(&ask.key()) {
-            return Err(TransformError::NoSuchWay { way: self.key, quantity: ask.key() });
-        }
+        self.check(ask)?;
         let none = |reason| TransformError::NotThisWay { way: self.key, reason };
         match (self.run)(self, evaluator, ask) {
             Ok(Some(own)) if own.value.is_finite() && own.error.is_finite() => {

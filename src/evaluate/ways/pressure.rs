@@ -40,6 +40,10 @@ impl Evaluator<'_> {
             let zero = Estimate::exact(0.0);
             return Ok(Some(Reading { estimate: zero, method: "exact" }));
         }
+        if let Method::Only(way) = self.method {
+            // Also where theory makes the pressure infinite.
+            way.check(Ask::Pressure { r, a })?;
+        }
         let special = self.may_be_infinite(r);
         if special && self.is_infinite_at(r)? {
             return Ok(None);
