@@ -37,8 +37,9 @@ enum Inverse {
     Missing,
 }
 
-/// The largest number of values of g for one energy.
+/// The largest number of values of g for one energy, and for each interval between kinks if these are many.
 const MOST_NESTED: u64 = 5_000;
+const MOST_BETWEEN_KINKS: u64 = 500;
 
 /// Smallest radius at which g is evaluated for the energy, relative to the contact radius.
 const NEAREST: f64 = 1e-30;
@@ -435,7 +436,8 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         places.push(a);
         let panels: Vec<Panel> = places.windows(2).filter_map(|p| Some(Panel::singular(*p.first()?, *p.last()?))).collect();
         // Limit the evaluations, because each may be a quadrature.
-        let options = Options { rel_tol: self.tolerance, max_evaluations: MOST_NESTED, ..Options::default() };
+        let most = MOST_NESTED.max(MOST_BETWEEN_KINKS * panels.len() as u64);
+        let options = Options { rel_tol: self.tolerance, max_evaluations: most, ..Options::default() };
         let found = match integrate(&mut integrand, &panels, &options) {
             Ok(found) => found,
             Err(

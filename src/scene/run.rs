@@ -219,7 +219,9 @@ impl<'a> Run<'a> {
                 Some(state) => match self.part(|| self.datum(*datum, &state, &mut computed)) {
                     Some(Ok(own)) => own.map(|own| own * system.out(datum.dimension())),
                     Some(Err(error)) => {
-                        indented.findings.extend(not_computable(&error).findings);
+                        // The other numbers of the load are not affected.
+                        let message = format!("{}: {error}", datum.key());
+                        indented.findings.push(Finding { rule: NOT_COMPUTABLE, severity: Severity::Warning, message, at: None });
                         Err("it cannot be computed")
                     }
                     None => Err(UNFINISHED),
@@ -553,7 +555,10 @@ fn unfinished() -> Indented {
     Indented { state: None, findings: vec![finding], radii: None }
 }
 
+/// The rule of a finding about a load or a number that cannot be computed.
+const NOT_COMPUTABLE: &str = "not_computable";
+
 fn not_computable(error: &ContactError) -> Indented {
-    let finding = Finding { rule: "not_computable", severity: Severity::Error, message: error.to_string(), at: None };
+    let finding = Finding { rule: NOT_COMPUTABLE, severity: Severity::Error, message: error.to_string(), at: None };
     Indented { state: None, findings: vec![finding], radii: None }
 }

@@ -581,6 +581,36 @@ fn rows_keep_their_values_where_others_have_none() {
     assert!(energies > 0 && missing > 0, "{energies} energies, {missing} missing");
 }
 
+/// Class "one number without a value takes the row with it": an energy beyond the range of doubles leaves F and a.
+#[test]
+fn rows_keep_their_values_where_one_number_has_none() {
+    let place = place(9450);
+    let scene = "[profile]\nf = \"0.6*r\"\n[material]\neffective_modulus = 1\n[load]\ndepth = [1e-3, 1e110]\n\
+                 [outputs]\nquantities = [\"F\", \"U\", \"a\"]\n";
+    fs::write(place.join("scene.toml"), scene).unwrap();
+    let done = Command::new(env!("CARGO_BIN_EXE_sneddon")).args(["solve", "scene.toml", "--json"]).current_dir(&place).output().unwrap();
+    let document: Value = serde_json::from_slice(&done.stdout).unwrap();
+    let row = &document["rows"][1];
+    // F = 2 d²/(0.3 π)·E* and a = 2 d/(0.6 π) with E* = 1.
+    let near = |key: &str, truth: f64| (row[key].as_f64().unwrap() / truth - 1.0).abs() < 1e-14;
+    assert!(near("F", 1e220 / (0.3 * std::f64::consts::PI)) && near("a", 1e110 / (0.3 * std::f64::consts::PI)), "{row}");
+    assert!(row["U"].is_null() && row["findings"].to_string().contains("U: the value at a ="), "{row}");
+}
+
+/// Class "finished work is thrown away": pressures under 400 kinks, after which the program still prepared the formula.
+#[test]
+fn pressures_under_many_kinks_are_kept() {
+    let profile = (1..400).map(|i| format!("max(0,r-{i}/400)")).collect::<Vec<_>>().join("+");
+    let list = |budget: f64| {
+        let own = answer(&format!("eval {profile} --quantity p --at 0.0003:0.9931:501 --radius 1 --csv"), budget, 9460);
+        (own.code, own.text.lines().skip(1).map(str::to_owned).collect::<Vec<_>>())
+    };
+    let ((code, whole), (cut, part)) = (list(5.0), list(0.4));
+    assert!(code == 0 && cut == 1 && part.len() == 501, "{code}, {cut}, {} rows", part.len());
+    let values: Vec<_> = part.iter().zip(&whole).filter(|(own, _)| !own.contains(",,")).collect();
+    assert!(values.len() > 20 && values.len() < 500 && values.iter().all(|(own, all)| own == all), "{} values", values.len());
+}
+
 /// Class "a cut check exits with 0": a page of a scene whose formulas could not be compared within the budget.
 #[test]
 fn a_page_whose_check_was_cut_says_so() {

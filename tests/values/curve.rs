@@ -3,7 +3,7 @@
 
 use sneddon::expr::{Bindings, Expr, Formula};
 use sneddon::parse;
-use sneddon::transform::{Curve, Evaluator, Method, Profile, Solution, derive};
+use sneddon::transform::{Curve, Evaluator, Method, PressureCurve, Profile, Solution, TransformError, derive};
 use sneddon_checks::decimal::Decimal;
 use sneddon_checks::random::Stream;
 use sneddon_checks::seeds::cases;
@@ -164,4 +164,15 @@ fn random_profiles_have_honest_curves() {
     println!("{curves} curves, {refused} refused");
     assert!(faults.is_empty(), "{} of {curves}: {}", faults.len(), faults.join("\n"));
     assert!(curves > 3 * refused, "{curves} {refused}");
+}
+
+/// Class "the count misses work": pressures under a hundred kinks as a curve, of which the count saw a twentieth.
+#[test]
+fn a_curve_of_many_kinks_is_counted_and_can_be_cut() {
+    let profile = (1..100).map(|i| format!("max(0,r-{i}/100)")).collect::<Vec<_>>().join("+");
+    let solution = solved(&profile);
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    let typed = evaluator.typed().unwrap();
+    let (found, spent, is_whole) = sneddon::num::work::apart(20_000_000, || PressureCurve::new(typed, 1.0).map(|own| own.evaluations()));
+    assert!(matches!(found, Err(TransformError::Exhausted(_))) && !is_whole, "{found:?} after {spent} steps");
 }

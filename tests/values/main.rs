@@ -21,6 +21,7 @@ mod slices;
 mod slope_angles;
 mod slopes;
 mod solved_kinks;
+mod straight;
 mod sufficient;
 mod tables;
 mod typed;

@@ -186,7 +186,8 @@ fn no_two_ways_disagree() {
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     println!("{:?}", seen.0);
-    assert_eq!(seen.0.len(), WAYS.len(), "{:?}", seen.0);
+    // The sample has no profile that is straight between kinks; `straight.rs` has them.
+    assert_eq!(seen.0.len(), WAYS.len() - 1, "{:?}", seen.0);
 }
 
 /// One profile for each way that `auto` may take: it names the way, which gives the same number alone.
@@ -200,6 +201,7 @@ fn the_answer_is_that_of_the_way_that_it_names() {
         ("ln(1+r^3)", Quantity::Equivalent, 0.5, "gauss"),
         ("max(0,r-0.3)+ln(1+r^3)", Quantity::Force, 0.5, "mixed"),
         ("r^2*besselj(0,r)", Quantity::Pressure, 0.0, "pieces"),
+        ("max(0,r-0.3)+abs(r-0.2)", Quantity::Pressure, 0.5, "straight"),
     ] {
         let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();
         let auto = alone(&contact(&solution, &Bindings::default(), Method::Auto), quantity, at, 1.0).unwrap();

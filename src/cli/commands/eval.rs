@@ -195,6 +195,8 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if quantity == Quantity::Energy && method == Method::Exact {
         return Err(failed(TransformError::NoClosedForm { quantity: "U" }.into()));
     }
+    // Before the points, which may use up the budget.
+    let shift = shift(&profile, &settings.exact_profile(&typed).unwrap_or_else(|_| profile.clone()));
     let readings = if by_series {
         series::readings(quantity, &profile, order, &at, radius, &contact)?
     } else if chosen == Chosen::Curve {
@@ -220,7 +222,6 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     } else {
         None
     };
-    let shift = shift(&profile, &settings.exact_profile(&typed).unwrap_or_else(|_| profile.clone()));
     let record = Evaluation {
         quantity: quantity.key(),
         coordinate: quantity.coordinate(),

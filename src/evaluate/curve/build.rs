@@ -4,6 +4,7 @@ use super::piece::Piece;
 use super::source::{Parity, Source};
 use crate::integrate::error::TransformError;
 use crate::num::spectral::{chop, rule};
+use crate::num::work;
 
 /// Degrees to try, in increasing order.
 const COUNTS: [usize; 3] = [16, 32, 64];
@@ -57,6 +58,7 @@ struct Expansion {
 
 impl Work<'_, '_> {
     fn cover(&mut self, lower: f64, upper: f64, depth: u32) -> Result<(), TransformError> {
+        work::check()?;
         if self.list.len() + self.budget.pieces > MOST_PIECES {
             return Err(TransformError::NotComputable { at: self.end });
         }

@@ -2,6 +2,7 @@
 
 use super::source::power;
 use crate::num::spectral::{Basis, Power, beyond, rule, times_distance};
+use crate::num::work;
 
 /// f′/(2r) = u^B Σ c_k P_k^{(0,B)}(2u/S − 1), u = r² − b², on b < r < c, S = c² − b².
 pub(super) struct Piece {
@@ -59,6 +60,9 @@ impl SquaredRadius {
     }
 }
 
+/// Number of terms of a share that take one step of work.
+const TERMS_PER_STEP: usize = 4;
+
 /// Which integral over s is wanted; φ = f′/(2r).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Integral {
@@ -112,6 +116,7 @@ impl Piece {
             // At the lower end itself only the first term is left.
             return if u == 0.0 { self.within(kind, place, 0.0, front) } else { Share::default() };
         }
+        work::spend(1 + (self.coefficients.len() / TERMS_PER_STEP) as u64);
         let over = place.above(self.upper);
         match &self.far {
             Some(far) if over > 0.0 => {

@@ -236,6 +236,7 @@ struct Work<'a> {
 
 impl Work<'_> {
     fn cover(&mut self, lower: f64, upper: f64, depth: u32) -> Result<(), TransformError> {
+        work::check()?;
         let length = (upper - lower) * (upper + lower);
         let below = (lower - self.anchor) * (lower + self.anchor);
         let mut last = None;

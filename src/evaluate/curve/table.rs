@@ -4,8 +4,8 @@ use super::piece::{Integral, Piece, Share, SquaredRadius};
 use super::source::power;
 use crate::derive::stream::Stream;
 use crate::integrate::error::TransformError;
-use crate::num::Estimate;
 use crate::num::spectral::{LOCAL, Local, local_nodes};
+use crate::num::{Estimate, work};
 
 /// One quantity over [0, reach].
 pub(super) struct Table {
@@ -176,6 +176,7 @@ impl Span {
     }
 
     fn cover(&mut self, sum: &impl Fn(SquaredRadius) -> Share, from: f64, to: f64, depth: u32) -> Result<(), TransformError> {
+        work::check()?;
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let (mut values, mut noise) = ([0.0; LOCAL], 0.0_f64);
         for (value, node) in values.iter_mut().zip(local_nodes()) {

@@ -17,7 +17,9 @@ use crate::derive::superposed::Superposed;
 use crate::evaluate::evaluator::{Evaluator, Reading};
 use crate::evaluate::ways::combine::unless_underflown;
 use crate::evaluate::ways::pressure::FIRST_DIGITS;
-use crate::integrate::ask::{Ask, BISECTION, ELLIPTIC, GAUSS, LEGENDRE, LEGENDRE_SAMPLED, NESTED, OVER_U, OVER_U_SAMPLED, PIECES};
+use crate::integrate::ask::{
+    Ask, BISECTION, ELLIPTIC, GAUSS, LEGENDRE, LEGENDRE_SAMPLED, NESTED, OVER_U, OVER_U_SAMPLED, PIECES, STRAIGHT,
+};
 use crate::integrate::error::TransformError;
 use crate::num::{Bound, Bounded, Estimate, Precise};
 use std::fmt;
@@ -55,7 +57,7 @@ const UNPROVEN: &str = "no rule could be proven accurate enough from enclosures 
 const UNMET: &str = "its rules do not reach the tolerance for this f′";
 
 /// Every way, roughly in the order of their cost.
-pub static WAYS: [Way; 16] = [
+pub static WAYS: [Way; 17] = [
     closed(DOUBLES, "closed forms in double precision"),
     closed(THIRTY_DIGITS, "closed forms with 30 digits, rounded once"),
     closed(WIDE_EXPONENT, "closed forms with 30 digits and an exponent that does not overflow"),
@@ -71,6 +73,15 @@ pub static WAYS: [Way; 16] = [
         )
     },
     integral(GAUSS, "one Gauss rule, proven to suffice by an enclosure of f′", &["g", "F", "G"], Bound::Proven),
+    Way {
+        missing: "f is not straight between its kinks",
+        ..integral(
+            STRAIGHT,
+            "the elliptic kernel and one proven integral for every kink of an f that is straight between them",
+            &["p"],
+            Bound::Proven,
+        )
+    },
     integral(LEGENDRE, "expansion of f′ in Legendre polynomials, with a number of terms proven to suffice", &["p"], Bound::Proven),
     integral(OVER_U, "∫ g′(r cosh u) du with proven rules", &["p"], Bound::Proven),
     integral(PIECES, "pieces, each with a rule proven to suffice by an enclosure", &["g", "F", "G", "p"], Bound::Proven),

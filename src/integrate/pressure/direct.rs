@@ -1,7 +1,7 @@
 //! The pressure by one integral over f′ and f″, with its logarithmic singularity and its kinks.
 
 use crate::integrate::admit::finite_and_not_negative;
-use crate::integrate::ask::{ELLIPTIC, LEGENDRE, LEGENDRE_SAMPLED, OVER_U, OVER_U_SAMPLED, PIECES, not_this_way};
+use crate::integrate::ask::{ELLIPTIC, LEGENDRE, LEGENDRE_SAMPLED, OVER_U, OVER_U_SAMPLED, PIECES, STRAIGHT, not_this_way};
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{MOST_POINTS, NumericProfile, NumericSegment, reached, settled, with_ulps};
 use crate::integrate::numbers::sum_to;
@@ -11,8 +11,8 @@ use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
 use crate::num::{Bounded, Estimate, special, work};
 
 impl NumericProfile {
-    /// ∫_s^a g′(x)/√(x²−s²) dx, which is p(s)·π/E* under a smooth edge: by the terms of f′ or by values of g′ if one smooth
-    /// piece reaches up to a, else by [`Self::pressure_by_elliptic_kernel`].
+    /// ∫_s^a g′(x)/√(x²−s²) dx, which is p(s)·π/E* under a smooth edge: kink by kink if f is straight between them, by the terms of f′
+    /// or by values of g′ if one smooth piece reaches up to a, else by [`Self::pressure_by_elliptic_kernel`].
     ///
     /// `None` if the value is theoretically infinite: at a kink, and at the axis under a tip with f′(0) ≠ 0.
     ///
@@ -22,7 +22,7 @@ impl NumericProfile {
         finite_and_not_negative("r", s)?;
         finite_and_not_negative("a", a)?;
         let way = |key: &'static str| self.pressure_of_smooth(key, s, a, tolerance);
-        let proven = way(LEGENDRE).or_else(|| self.proven_pressure(s, a, tolerance));
+        let proven = way(STRAIGHT).or_else(|| way(LEGENDRE)).or_else(|| self.proven_pressure(s, a, tolerance));
         match proven.or_else(|| way(LEGENDRE_SAMPLED)).or_else(|| way(OVER_U_SAMPLED)) {
             Some(found) => Ok(Some(found)),
             None => self.pressure_by_elliptic_kernel(s, a, tolerance),
@@ -49,6 +49,7 @@ impl NumericProfile {
     /// By one of the ways for integrals without kinks, or split at them; `None` if the way does not apply.
     fn pressure_of_smooth(&self, key: &'static str, s: f64, a: f64, tolerance: f64) -> Option<Estimate> {
         let found = match key {
+            STRAIGHT => self.pressure_of_straight_pieces(s, a),
             LEGENDRE => self.pressure_by_proven_series(s, a, tolerance),
             OVER_U => self.pressure_by_proven_slopes(s, a, tolerance),
             PIECES if s == 0.0 => self.pressure_on_axis(a, tolerance),
@@ -269,7 +270,8 @@ pub(crate) fn kernel_at(b: Endpoint, s: f64, a: f64) -> Bounded {
         return Bounded { error: f64::INFINITY, ..kernel };
     }
     let size = kernel.value.abs() + kernel.error;
-    let moved = b.doubt * (1.0 / sum / gap + size / b.at + size / rest) * (1.0 + 16.0 * f64::EPSILON);
+    // Ratios of lengths first: products of tiny ones underflow.
+    let moved = (b.doubt / gap / sum + size * (b.doubt / b.at) + size * (b.doubt / rest)) * (1.0 + 16.0 * f64::EPSILON);
     Bounded { value: kernel.value, error: kernel.error + moved }
 }
 

@@ -8,3 +8,4 @@ pub(crate) mod direct;
 pub(crate) mod legendre;
 pub(crate) mod over_u;
 pub(crate) mod pieces;
+pub(crate) mod straight;

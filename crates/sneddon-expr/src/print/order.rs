@@ -4,6 +4,7 @@ use super::layout::{Factor, layout};
 use crate::expr::{Expr, Function, Node};
 use crate::num::work;
 use crate::print::notations::latex_symbol;
+use std::cell::RefCell;
 use std::cmp::{Ordering, Reverse};
 use std::collections::HashMap;
 
@@ -107,8 +108,7 @@ pub(super) fn terms(expr: &Expr) -> Vec<Expr> {
 
 /// The terms sorted by their keys.
 fn natural(expr: &Expr) -> Vec<Expr> {
-    let mut degrees = Degrees::default();
-    let mut terms: Vec<(Key, Expr)> = expr.terms().into_iter().map(|term| (Key::of(&term, &mut degrees), term)).collect();
+    let mut terms: Vec<(Key, Expr)> = expr.terms().into_iter().map(|term| (Key::of(&term), term)).collect();
     terms.sort_by(|(left, _), (right, _)| left.cmp(right));
     terms.into_iter().map(|(_, term)| term).collect()
 }
@@ -153,8 +153,8 @@ impl Ord for Degree {
 }
 
 impl Key {
-    fn of(term: &Expr, degrees: &mut Degrees) -> Self {
-        let [in_variables, in_parameters] = degrees.of(term);
+    fn of(term: &Expr) -> Self {
+        let [in_variables, in_parameters] = degrees(term);
         let layout = layout(term);
         let all: Vec<&Factor> = layout.upper.iter().chain(&layout.lower).chain(&layout.behind).collect();
         let function = |factor: &&&Factor| Rank::of(factor) > Rank::Variable;
@@ -186,35 +186,43 @@ fn power_of_radius(term: &Expr) -> f64 {
     term.factors().iter().map(power).sum()
 }
 
-/// The degrees of expressions in the variables and in all other symbols; a part that occurs repeatedly in one sum is looked at
-/// once, by its address.
-#[derive(Default)]
-struct Degrees(HashMap<usize, [f64; 2]>);
+thread_local! {
+    /// The degrees of sums, products and powers by address. The expression is kept, so that no other one gets its address.
+    static KNOWN: RefCell<HashMap<usize, (Expr, [f64; 2])>> = RefCell::default();
+}
 
-impl Degrees {
-    fn of(&mut self, expr: &Expr) -> [f64; 2] {
-        work::spend(1);
-        if let Some(known) = self.0.get(&expr.address()) {
-            return *known;
-        }
-        let found = match expr.node() {
-            Node::Symbol(symbol) if VARIABLES.contains(&symbol.name()) => return [1.0, 0.0],
-            Node::Symbol(_) => return [0.0, 1.0],
-            Node::Number(_) | Node::Constant(_) | Node::Function(..) => return [0.0; 2],
-            Node::Power(base, exponent) => {
-                let by = exponent.as_number().map_or(0.0, |number| number.to_f64());
-                self.of(base).map(|own| by * own)
-            }
-            Node::Product(factors) => {
-                let (in_variables, in_parameters): (Vec<f64>, Vec<f64>) = factors.iter().map(|factor| self.of(factor).into()).unzip();
-                [in_variables.iter().sum(), in_parameters.iter().sum()]
-            }
-            Node::Sum(terms) => {
-                let all = terms.iter().map(|term| self.of(term));
-                all.fold([f64::NEG_INFINITY; 2], |[a, b], [c, d]| [a.max(c), b.max(d)])
-            }
-        };
-        self.0.insert(expr.address(), found);
-        found
+/// Number of known degrees above which all are forgotten.
+const MOST_KNOWN: usize = 20_000;
+/// Steps of work for the degrees of a sum, product or power.
+const DEGREES: u64 = 10;
+
+/// The degrees of an expression in the variables and in all other symbols.
+fn degrees(expr: &Expr) -> [f64; 2] {
+    work::spend(1);
+    match expr.node() {
+        Node::Symbol(symbol) if VARIABLES.contains(&symbol.name()) => return [1.0, 0.0],
+        Node::Symbol(_) => return [0.0, 1.0],
+        Node::Number(_) | Node::Constant(_) | Node::Function(..) => return [0.0; 2],
+        _ => {}
     }
+    if let Some(known) = KNOWN.with_borrow(|known| known.get(&expr.address()).map(|(_, own)| *own)) {
+        return known;
+    }
+    work::spend(DEGREES);
+    let found = match expr.node() {
+        Node::Power(base, exponent) => {
+            let by = exponent.as_number().map_or(0.0, |number| number.to_f64());
+            degrees(base).map(|own| by * own)
+        }
+        Node::Product(factors) => factors.iter().map(degrees).fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]),
+        Node::Sum(terms) => terms.iter().map(degrees).fold([f64::NEG_INFINITY; 2], |[a, b], [c, d]| [a.max(c), b.max(d)]),
+        _ => [0.0; 2],
+    };
+    KNOWN.with_borrow_mut(|known| {
+        if known.len() >= MOST_KNOWN {
+            known.clear();
+        }
+        known.insert(expr.address(), (expr.clone(), found));
+    });
+    found
 }
