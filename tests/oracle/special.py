@@ -479,8 +479,45 @@ def do_inverse_moment():
         add("elliptic_moment", (-1, b, s, a), elliptic_moment(-1, b, s, a))
 
 
+def elliptic_pole(sign, w, b, s, a):
+    """As `elliptic_moment`, with 1/(x^2 ± w^2); next to a pole at the edge the pieces become shorter."""
+    unit = mpf(a)
+    large, small, a, w = mpf(max(b, s)) / unit, mpf(min(b, s)) / unit, mpf(1), mpf(w) / unit
+    d = mp.sqrt((large - small) * (large + small))
+    top = mp.asinh(mp.sqrt((a - large) * (a + large)) / d)
+    square = lambda v: large**2 + (d * mp.sinh(v)) ** 2
+    f = lambda v: 1 / (mp.sqrt(square(v)) * (square(v) + sign * w * w))
+    ends = set(mp.linspace(0, top, 2 + int(min(top, 200) / 0.7)))
+    if sign < 0:
+        ends |= {top - top * mpf(2) ** -k for k in range(1, 60)}
+    value, error = mp.quad(f, sorted(ends), error=True, method="gauss-legendre")
+    assert error < abs(value) * mpf("1e-22"), (sign, w, b, s, a)
+    return value / unit**3
+
+
+def do_third_kind():
+    """R_J, for which mpmath needs far more digits than it returns where p is tiny, and the integral with a pole."""
+    def size():
+        return rng.choice([uniform(0.1, 3), log_uniform(1e-12, 1e12), log_uniform(1e-90, 1e90)])
+
+    for _ in range(90):
+        x, y, z, p = (size() for _ in range(4))
+        if rng.random() < 0.2:
+            x = 0.0
+        if rng.random() < 0.3:
+            p = y * (1 + rng.choice([-1, 1]) * log_uniform(1e-15, 0.1))
+        with mp.workdps(250):
+            value = mp.elliprj(mpf(x), mpf(y), mpf(z), mpf(p))
+        add("elliprj", (x, y, z, p), value)
+    for b, s, a in with_random([(0.5, 0.0, 1.0), (0.5, 0.2, 1.0), (0.2, 0.5, 1.0)], 45):
+        w = a * rng.choice([log_uniform(1e-3, 1e3), uniform(0.1, 3)])
+        add("elliptic_pole", (1.0, w, b, s, a), elliptic_pole(1, w, b, s, a))
+        w = a * (1 + log_uniform(1e-12, 10))
+        add("elliptic_pole", (-1.0, w, b, s, a), elliptic_pole(-1, w, b, s, a))
+
+
 PARTS = [do_kappa, do_segment, do_pressure_power, do_root_family, do_worn_root, do_root_pressure, do_worn_pressure, do_carlson, do_elliptic,
-         do_dilogarithm, do_hypergeometric, do_bessel, do_digamma, do_definitions, do_inverse_moment]
+         do_dilogarithm, do_hypergeometric, do_bessel, do_digamma, do_definitions, do_inverse_moment, do_third_kind]
 
 
 def main():

@@ -18,7 +18,7 @@ import sys
 
 from mpmath import mp, mpf, quad, sqrt, cos, sin, tan, asin, acos, atan, sinh, cosh, tanh, asinh, acosh, atanh, exp, ln
 from mpmath import gamma, erf, erfi, besselj, besseli, struveh, struvel, ellipk, ellipe, ellipf, hyp1f1, hyp2f1, hyper
-from mpmath import elliprc, elliprf, elliprd, clsin, betainc, polylog, digamma, polygamma, fresnelc, fresnels
+from mpmath import elliprc, elliprf, elliprd, elliprj, clsin, betainc, polylog, digamma, polygamma, fresnelc, fresnels
 
 log = ln
 COUNT = int(sys.argv[1]) if len(sys.argv) > 1 else 24
@@ -119,11 +119,21 @@ def moment(pattern, values, x, power):
 
 
 def pressure(slope, pattern, values, r, a):
+    """Over u, x = r cosh u, and above a kink over the root of the distance to it, at which g' may be infinite."""
     def rising(x):
-        with mp.workdps(3 * mp.dps):
-            return mp.diff(lambda y: slope(values | {"x": y}), x, relative=True)
-    inner = [acosh(b / r) for b in breakpoints(pattern.text, values) if r < b < a]
-    return values["E"] / mp.pi * integral(lambda u: rising(r * cosh(u)), [mpf(0)] + inner + [acosh(a / r)])
+        return mp.diff(lambda y: slope(values | {"x": y}), x, relative=True)
+    with mp.workdps(8 * mp.dps):
+        ends = [mpf(0)] + [acosh(b / r) for b in breakpoints(pattern.text, values) if r < b < a] + [acosh(a / r)]
+    total = mpf(0)
+    for begin, end in zip(ends, ends[1:]):
+        def f(v):
+            # Differences of the distance to the kink must be far below it.
+            with mp.workdps(8 * mp.dps):
+                return 2 * v * rising(r * cosh(begin + v * v))
+        with mp.workdps(8 * mp.dps):
+            width = sqrt(end - begin)
+        total += integral(f, [mpf(0), width])
+    return values["E"] / mp.pi * total
 
 
 def is_reached(pattern, values, x):

@@ -44,6 +44,10 @@ fn arguments(function: Function, stream: &mut Stream) -> Vec<f64> {
         "outside_power" => vec![between(0.5, 6.0), between(0.1, 1.0), between(1.1, 2.0)],
         "sphere_pressure" | "hyperboloid_pressure" | "capped_sphere_force" => vec![between(0.1, 1.0), between(1.1, 2.0), between(2.1, 3.0)],
         "artanh_ratio" | "sphere_force" | "hyperboloid_force" => vec![between(0.2, 1.0), between(1.1, 3.0)],
+        "elliptic_pole" => {
+            let sign = if between(0.0, 1.0) < 0.5 { 1.0 } else { -1.0 };
+            vec![sign, between(2.1, 3.0), between(0.1, 1.0), between(0.1, 1.0), between(1.1, 2.0)]
+        }
         "elliptic_moment" => vec![between(-1.0, 4.0).floor(), between(0.1, 1.0), between(0.1, 1.0), between(1.1, 2.0)],
         _ => (0..function.row().arity.0).map(|_| between(0.1, 0.9)).collect(),
     }
@@ -120,9 +124,9 @@ fn shown_forms_have_the_value() {
         for _ in 0..10 {
             let point = arguments(function, &mut stream);
             let mut expr = call(function, point.len());
-            if function.name() == "elliptic_moment" {
-                // Its order must be known for it to be shown.
-                let rest = NAMES.iter().take(4).skip(1).map(|name| Expr::symbol(name));
+            if let "elliptic_moment" | "elliptic_pole" = function.name() {
+                // Its order or its sign must be known for it to be shown.
+                let rest = NAMES.iter().take(point.len()).skip(1).map(|name| Expr::symbol(name));
                 expr = Expr::function(function, std::iter::once(Expr::integer(point[0] as i64)).chain(rest).collect());
             }
             let plain = shown(&expr);

@@ -1,10 +1,18 @@
 //! ∫ g′(x)/√(x²−r²) dx for the closed terms of g′; the other terms remain an integral.
 
+use crate::derive::engine::expanded_or_same;
 use crate::expr::normal::{self, NormalTerm};
-use crate::expr::{Expr, Function, Node, Number, Sign, Symbol, sign};
+use crate::expr::{Expr, Function, Node, Number, Sign, Symbol, derivative, shown, sign};
 
 /// Maximum number of nodes of a g′ that is split.
 const LONGEST: usize = 500;
+
+/// ∫ g′(x)/√(x²−r²) dx from max(b, r) to a for a g that begins at b, if all of it closes.
+pub(super) fn beyond_kink(g: &Expr, b: &Expr) -> Option<Expr> {
+    let g_prime = derivative(&shown(g), &Symbol::new("x")).ok()?;
+    let found = split(&g_prime, std::slice::from_ref(b), Some(b), &Expr::symbol("a"))?;
+    found.rest.is_zero().then_some(found.closed)
+}
 
 /// The closed part of ∫ g′(x)/√(x²−r²) dx from `lower` to `upper`, and the remaining terms of g′.
 pub(crate) struct Split {
@@ -28,6 +36,8 @@ enum Known<'a> {
     Arcosh(&'a Expr),
     /// x/(x²+q)^k for q of either sign, from r on.
     Pole(Expr, i64),
+    /// Σ c (x²+q)^n/√(x²−b²) over pairs of n = −2, −1 or 0 and c, from max(b, r) on.
+    PoleOverRoot(&'a Expr, Expr, Vec<(i64, Expr)>),
 }
 
 /// Splits ∫ `g_prime`/√(x²−r²) dx into a closed part and a remaining integral.
@@ -56,7 +66,8 @@ pub(crate) fn split(g_prime: &Expr, kinks: &[Expr], lower: Option<&Expr>, upper:
         closed.extend(known);
     }
     complement(&mut closed, &mut open);
-    if closed.is_empty() || !open.iter().all(|term| is_elementary(&term.kernel)) {
+    let (with_poles, closed): (Vec<_>, Vec<_>) = closed.into_iter().partition(|(_, own)| matches!(own, Known::PoleOverRoot(..)));
+    if closed.is_empty() && with_poles.is_empty() || !open.iter().all(|term| is_elementary(&term.kernel)) {
         return None;
     }
     let ends = |(coefficient, known): &(Expr, Known)| {
@@ -64,7 +75,54 @@ pub(crate) fn split(g_prime: &Expr, kinks: &[Expr], lower: Option<&Expr>, upper:
     };
     let rest = Expr::sum(open.iter().map(|term| term.to_expr(&Symbol::new("x"))));
     let is_shorter = rest.size_up_to(LONGEST) < g_prime.size_up_to(LONGEST);
-    is_shorter.then(|| Split { closed: Expr::sum(closed.iter().flat_map(ends)), rest })
+    is_shorter.then(|| {
+        let poles = poles_over_roots(&with_poles, upper) - lower.map_or_else(Expr::zero, |lower| poles_over_roots(&with_poles, lower));
+        Split { closed: Expr::sum(closed.iter().flat_map(ends)) + poles, rest }
+    })
+}
+
+/// ∫ Σ c (x²+q)^n/√(x²−b²)/√(x²−r²) dx up to max(`end`, r), by the integral J with n = −1.
+///
+/// With B = q + b², C = q + r² and the root Q = √((x²−b²)(x²−r²)), the derivative of xQ/(x²+q) takes n = −2 to the others:
+/// 2qBC I_(−2) = xQ/(x²+q) − E_1 − q E_0 + (BC + qB + qC) J.
+fn poles_over_roots(list: &[(Expr, Known<'_>)], end: &Expr) -> Expr {
+    let r = Expr::symbol("r");
+    let top = beyond(end, &r);
+    let mut rest: Vec<_> = list.iter().collect();
+    let mut total = Expr::zero();
+    while let Some((factor, Known::PoleOverRoot(b, q, _))) = rest.first().copied() {
+        let is_own = |own: &&(Expr, Known<'_>)| matches!(&own.1, Known::PoleOverRoot(other, pole, _) if other == b && pole == q);
+        let (own, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(is_own);
+        rest = others;
+        if *b == end {
+            continue;
+        }
+        // In units of the first coefficient.
+        let of_order = |n: i64| {
+            let parts = own.iter().map(|(coefficient, known)| match known {
+                Known::PoleOverRoot(.., list) => {
+                    coefficient / factor * Expr::sum(list.iter().filter(|(k, _)| *k == n).map(|(_, own)| own.clone()))
+                }
+                _ => Expr::zero(),
+            });
+            expanded_or_same(&Expr::sum(parts), "r")
+        };
+        let moment = |k: i64| Expr::call("elliptic_moment", [Expr::integer(k), (*b).clone(), r.clone(), top.clone()]);
+        let (beside_b, beside_r) = (q + b.power(2), q + r.power(2));
+        let share = of_order(-2) / (Expr::integer(2) * q * &beside_b * &beside_r);
+        // What J has besides qB of the share does not depend on r, and often cancels.
+        let constant = of_order(-1) + &share * &beside_r * (&beside_b + q);
+        let constant = if normal::is_proven_zero(&constant, &Symbol::new("r")) { Expr::zero() } else { constant };
+        let edge = &top * (top.power(2) - b.power(2)).sqrt() * (top.power(2) - r.power(2)).sqrt() / (top.power(2) + q);
+        let (sign, w) = match sign(q) {
+            Sign::Negative => (-1, (-q).sqrt()),
+            _ => (1, q.sqrt()),
+        };
+        let third = Expr::call("elliptic_pole", [Expr::integer(sign), w, (*b).clone(), r.clone(), top.clone()]);
+        let by_parts = edge - moment(1) - q * moment(0) + q * &beside_b * &third;
+        total = total + factor * share * by_parts + factor * (of_order(0) * moment(0) + constant * third);
+    }
+    total
 }
 
 /// Replaces asin u by π/2 − acos u if this cancels a power of x.
@@ -102,6 +160,8 @@ impl Known<'_> {
             // Integration by parts leaves ∫ √(x²−r²)/√(x²−b²) dx; the boundary term is 0 at max(b, r).
             Self::Arcosh(b) => root * Expr::call("acosh", [&top / *b]) - elliptic(1, b) + r.power(2) * elliptic(0, b),
             Self::Power(m) => Expr::call("pressure_power", [m.clone(), r.clone(), top]),
+            // All of them together, in `poles_over_roots`.
+            Self::PoleOverRoot(..) => Expr::zero(),
             Self::Logarithm(m) => logarithm(*m, &r, &top, &root),
             Self::Gaussian(kappa) => {
                 let (name, scale) = if sign(kappa) == Sign::Negative { ("erf", (-kappa).sqrt()) } else { ("erfi", kappa.sqrt()) };
@@ -162,6 +222,9 @@ fn known<'a>(term: &NormalTerm, kinks: &'a [Expr]) -> Vec<(Expr, Known<'a>)> {
         }
         return pole(m, term).unwrap_or_default();
     }
+    if let Some(found) = pole_over_root(m, term, kinks) {
+        return found;
+    }
     let (base, exponent) = super::reading::power(&term.kernel);
     let is_half = |sign: i64| exponent.as_number() == Some(&Number::ratio(sign, 2));
     if !is_half(1) && !is_half(-1) {
@@ -176,18 +239,60 @@ fn known<'a>(term: &NormalTerm, kinks: &'a [Expr]) -> Vec<(Expr, Known<'a>)> {
     vec![(coefficient.clone(), Known::OverRoot(m / 2 + 1, b)), (-coefficient * b.power(2), Known::OverRoot(m / 2, b))]
 }
 
+/// x^m/(α+βx²)^k times √(x²−b²) or its inverse, for even m and m + 2 ≤ 2k + 2, by powers of x² + q.
+fn pole_over_root<'a>(m: i64, term: &NormalTerm, kinks: &'a [Expr]) -> Option<Vec<(Expr, Known<'a>)>> {
+    let (mut pole, mut over, mut coefficient) = (None, None, term.coefficient.clone());
+    for factor in term.kernel.factors() {
+        let (base, exponent) = super::reading::power(&factor);
+        if let Some(k) = exponent.as_integer() {
+            let (q, scale) = quadratic(&base)?;
+            coefficient = coefficient * scale.power(k);
+            pole = Some((q, -k)).filter(|(_, k)| pole.is_none() && (1..=2).contains(k));
+            pole.as_ref()?;
+        } else {
+            let (b, scale) = root(&base, kinks)?;
+            let half = [1, -1].into_iter().find(|sign| exponent.as_number() == Some(&Number::ratio(*sign, 2)))?;
+            coefficient = coefficient * scale.pow(&exponent);
+            over = Some((b, (half + 1) / 2)).filter(|_| over.is_none());
+            over?;
+        }
+    }
+    let ((q, k), (b, roots)) = (pole?, over?);
+    let beside = &q + b.power(2);
+    // (D − q)^(m/2) (D − B)^roots/D^k, D = x² + q.
+    let mut list = vec![Expr::one()];
+    let by_linear = |list: Vec<Expr>, from: &Expr| {
+        let mut next: Vec<Expr> = list.iter().map(|own| -(own * from)).chain([Expr::zero()]).collect();
+        next.iter_mut().skip(1).zip(&list).for_each(|(slot, own)| *slot = &*slot + own);
+        next
+    };
+    for _ in 0..m / 2 {
+        list = by_linear(list, &q);
+    }
+    for _ in 0..roots {
+        list = by_linear(list, &beside);
+    }
+    let orders = (0_i64..).map(|n| n - k);
+    let found: Vec<_> = list.into_iter().zip(orders).filter(|(c, _)| !c.is_zero()).collect();
+    // The highest order would be an elliptic moment of a higher kind.
+    let is_low = found.iter().all(|(_, n)| *n <= 0);
+    is_low.then(|| vec![(coefficient, Known::PoleOverRoot(b, q, found.into_iter().map(|(c, n)| (n, c)).collect()))])
+}
+
+/// Returns q of known sign and c of c (x² + q).
+fn quadratic(base: &Expr) -> Option<(Expr, Expr)> {
+    let [constant, linear, factor] = <[Expr; 3]>::try_from(normal::polynomial_coefficients(base, &Symbol::new("x"))?).ok()?;
+    let q = constant / &factor;
+    (linear.is_zero() && matches!(sign(&q), Sign::Positive | Sign::Negative)).then_some((q, factor))
+}
+
 /// x^m/(α+βx²)^k for odd m as poles and powers.
 fn pole<'a>(m: i64, term: &NormalTerm) -> Option<Vec<(Expr, Known<'a>)>> {
     /// Higher orders are long.
     const HIGHEST: i64 = 4;
     let (base, exponent) = super::reading::power(&term.kernel);
     let k = -exponent.as_integer().filter(|k| (-HIGHEST..=-1).contains(k))?;
-    let variable = Symbol::new("x");
-    let [constant, linear, factor] = <[Expr; 3]>::try_from(normal::polynomial_coefficients(&base, &variable)?).ok()?;
-    let q = constant / &factor;
-    if !linear.is_zero() || !matches!(sign(&q), Sign::Positive | Sign::Negative) {
-        return None;
-    }
+    let (q, factor) = quadratic(&base)?;
     let mut found = Vec::new();
     reduced(m, k, &(&term.coefficient * factor.power(-k)), &q, &mut found);
     Some(found)

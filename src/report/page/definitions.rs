@@ -33,8 +33,8 @@ const HYPERGEOMETRIC: &str = "hyper";
 
 /// The definition of a function, with its equation in the Digital Library of Mathematical Functions.
 fn definition(name: &str, [above, below]: [i64; 2]) -> Option<Prose> {
-    let symbols = ["m", "n", "t", "x", "y", "z", "phi", "alpha", "beta", "gamma"].map(Expr::symbol);
-    let [m, n, t, x, y, z, phi, alpha, beta, gamma] = symbols;
+    let symbols = ["m", "n", "p", "t", "x", "y", "z", "phi", "alpha", "beta", "gamma"].map(Expr::symbol);
+    let [m, n, p, t, x, y, z, phi, alpha, beta, gamma] = symbols;
     let (one, two) = (Expr::one(), Expr::integer(2));
     let call = |name: &'static str, arguments: &[&Expr]| Expr::call(name, arguments.iter().map(|own| (*own).clone()));
     let is = |function: Expr, what: &str| Prose::default().formula(function).then(" is ").then(what);
@@ -64,6 +64,7 @@ fn definition(name: &str, [above, below]: [i64; 2]) -> Option<Prose> {
         INCOMPLETE => as_in(elliptic(call("ellipe", &[&phi, &m]), "incomplete elliptic integral of the second", root, &phi), "19.2.5"),
         "elliprf" => as_in(is(call("elliprf", &[&x, &y, &z]), "Carlson's symmetric elliptic integral of the first kind"), "19.16.1"),
         "elliprd" => as_in(is(call("elliprd", &[&x, &y, &z]), "Carlson's symmetric elliptic integral of the second kind"), "19.16.5"),
+        "elliprj" => as_in(is(call("elliprj", &[&x, &y, &z, &p]), "Carlson's symmetric elliptic integral of the third kind"), "19.16.2"),
         "elliprc" => as_in(is(call("elliprc", &[&x, &y]), "Carlson's degenerate elliptic integral"), "19.2.17"),
         "erf" => as_in(integral(is(call("erf", &[&z]), "the error function"), &gauss, call("exp", &[&-&square]), &zero, &z), "7.2.1"),
         "erfi" => integral(is(call("erfi", &[&z]), "the imaginary error function"), &gauss, call("exp", &[&square]), &zero, &z),

@@ -1,6 +1,7 @@
 //! Stable forms that closed contact solutions need; one family per file, every factor positive.
 
 pub mod capped_root;
+mod elliptic_pole;
 pub mod outside_power;
 pub mod pressure_power;
 pub mod root_family;
@@ -10,6 +11,7 @@ pub mod worn_pressure;
 pub mod worn_root;
 
 pub use capped_root::capped_sphere_force;
+pub use elliptic_pole::elliptic_pole;
 pub use outside_power::outside_power;
 pub use pressure_power::pressure_power;
 pub use root_family::{artanh_ratio, hyperboloid_force, hyperboloid_integral, sphere_force, sphere_integral};

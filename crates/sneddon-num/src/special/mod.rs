@@ -19,7 +19,7 @@ pub mod hypergeometric;
 pub use bessel::struve::{bessel_struve, bessel_struve_precise, struveh, struveh_precise, struvel, struvel_precise};
 pub use bessel::{besseli, besseli_precise, besseli_scaled, besseli_scaled_precise, besselj, besselj_precise};
 pub use beta::{betainc, betainc_precise};
-pub use carlson::{rc, rc_precise, rd, rd_precise, rf, rf_precise};
+pub use carlson::{rc, rc_precise, rd, rd_precise, rf, rf_precise, rj};
 pub use clausen::{clsin2, clsin2_precise};
 pub use dawson::{dawson, dawson_precise, erf_precise, erfi, erfi_precise};
 pub use dilogarithm::{

@@ -1,8 +1,8 @@
 //! Powers −1/2, −3/2, … of the quadratic beyond sphere and hyperboloid: elementary for odd m, elliptic for even m.
 
 use super::{BLANK, C, Extent, Family, H, R, RECURRENCE, Reading, Work, power, pressure};
-use crate::derive::rule::{Answer, Parameter, Rule};
-use crate::derive::rules::root;
+use crate::derive::rule::{Answer, Branches, Pair, Parameter, Rule};
+use crate::derive::rules::{abel, root};
 use crate::derive::term::Term;
 use crate::expr::{Expr, Number, Sign};
 
@@ -46,6 +46,16 @@ pub(in crate::derive::rules) static WORN_ODD: Rule = Rule {
     pattern: "piecewise(0, r<c, h*(1/sqrt(1+c^2/b^2)-1/sqrt(1+r^2/b^2)))",
     equivalent: "piecewise(0, x<c, h*b*x*sqrt(x^2-c^2)/(sqrt(b^2+c^2)*(b^2+x^2)))",
     force: "piecewise(0, a<c, 2*E*h*b*(atan(sqrt(a^2-c^2)/sqrt(b^2+c^2))-b^2*sqrt(a^2-c^2)/(sqrt(b^2+c^2)*(b^2+a^2))))",
+    pressure: Some(
+        "piecewise(0, a<c, E*h*b/(pi*(b^2+r^2)*sqrt(b^2+c^2))*(max(c,r)*(ellipf(asin(sqrt((a^2-max(c,r)^2)/(a^2-min(c\
+             ,r)^2))),min(c,r)^2/max(c,r)^2)-ellipe(asin(sqrt((a^2-max(c,r)^2)/(a^2-min(c,r)^2))),min(c,r)^2/max(c,r)^2))\
+             +a*sqrt((a^2-max(c,r)^2)/(a^2-min(c,r)^2))+b^2*ellipf(asin(sqrt((a^2-max(c,r)^2)/(a^2-min(c,r)^2))),min(c\
+             ,r)^2/max(c,r)^2)/max(c,r)-a*sqrt(a^2-c^2)*sqrt(a^2-r^2)/(b^2+a^2)-b^2*(b^2+c^2)*sqrt((a^2-max(c,r)^2)/(a^2\
+             -min(c,r)^2))/(max(c,r)*(b^2+max(c,r)^2))*(elliprf((max(c,r)^2-min(c,r)^2)/(a^2-min(c,r)^2)*a^2/max(c,r)^2,1\
+             ,(max(c,r)^2-min(c,r)^2)/(a^2-min(c,r)^2))-(a^2-max(c,r)^2)*(max(c,r)^2-min(c,r)^2)/(a^2-min(c,r)^2)/(3*(b^2\
+             +max(c,r)^2))*elliprj((max(c,r)^2-min(c,r)^2)/(a^2-min(c,r)^2)*a^2/max(c,r)^2,1,(max(c,r)^2-min(c,r)^2)/(a^2\
+             -min(c,r)^2),(max(c,r)^2-min(c,r)^2)/(a^2-min(c,r)^2)*(b^2+a^2)/(b^2+max(c,r)^2)))))",
+    ),
     parameters: &[H, S, C],
     guard: "r ≥ c",
     apply: |term| apply(term, 1, true, Extent::Segment),
@@ -58,6 +68,16 @@ pub(in crate::derive::rules) static WORN_ODD_BELOW: Rule = Rule {
     pattern: "piecewise(0, r<c, h*(1/sqrt(1-r^2/R^2)-1/sqrt(1-c^2/R^2)))",
     equivalent: "piecewise(0, x<c, h*R*x*sqrt(x^2-c^2)/(sqrt(R^2-c^2)*(R^2-x^2)))",
     force: "piecewise(0, a<c, 2*E*h*R*(R^2*sqrt(a^2-c^2)/(sqrt(R^2-c^2)*(R^2-a^2))-atanh(sqrt(a^2-c^2)/sqrt(R^2-c^2))))",
+    pressure: Some(
+        "piecewise(0, a<c, E*h*R/(pi*(R^2-r^2)*sqrt(R^2-c^2))*(max(c,r)*(ellipf(asin(sqrt((a^2-max(c,r)^2)/(a^2-min(c\
+             ,r)^2))),min(c,r)^2/max(c,r)^2)-ellipe(asin(sqrt((a^2-max(c,r)^2)/(a^2-min(c,r)^2))),min(c,r)^2/max(c,r)^2))\
+             +a*sqrt((a^2-max(c,r)^2)/(a^2-min(c,r)^2))-R^2*ellipf(asin(sqrt((a^2-max(c,r)^2)/(a^2-min(c,r)^2))),min(c\
+             ,r)^2/max(c,r)^2)/max(c,r)+a*sqrt(a^2-c^2)*sqrt(a^2-r^2)/(R^2-a^2)+R^2*(R^2-c^2)*sqrt((a^2-max(c,r)^2)/(a^2\
+             -min(c,r)^2))/(max(c,r)*(R^2-max(c,r)^2))*(elliprf((max(c,r)^2-min(c,r)^2)/(a^2-min(c,r)^2)*a^2/max(c,r)^2,1\
+             ,(max(c,r)^2-min(c,r)^2)/(a^2-min(c,r)^2))+(a^2-max(c,r)^2)*(max(c,r)^2-min(c,r)^2)/(a^2-min(c,r)^2)/(3*(R^2\
+             -max(c,r)^2))*elliprj((max(c,r)^2-min(c,r)^2)/(a^2-min(c,r)^2)*a^2/max(c,r)^2,1,(max(c,r)^2-min(c,r)^2)/(a^2\
+             -min(c,r)^2),(max(c,r)^2-min(c,r)^2)/(a^2-min(c,r)^2)*(R^2-a^2)/(R^2-max(c,r)^2)))))",
+    ),
     parameters: &[H, R, C],
     guard: "c ≤ r < R",
     apply: |term| apply(term, -1, true, Extent::Segment),
@@ -133,6 +153,10 @@ fn apply(term: &Term, sigma: i64, odd: bool, extent: Extent) -> Option<Answer> {
     let tip = (m == 1 && k == 1 && term.segment.lower.is_zero()).then(|| Tip::of(&reading, term.segment.upper.as_ref()));
     let work = Work { reading, segment: &term.segment, family, kernel: None };
     let mut answer = work.answer(|m| family.moment(m, k), (odd && extent == Extent::Whole).then_some(pressure::rooted))?;
+    if odd && !term.segment.lower.is_zero() && term.segment.upper.is_none() {
+        let closed = abel::beyond_kink(&answer.equivalent.within.shown, &term.segment.lower);
+        answer.pressure = closed.map(|own| Branches::endless(Pair::same(own)));
+    }
     if let Some(Tip { equivalent, force, cap }) = tip {
         answer.equivalent.within.evaluated = equivalent;
         answer.force.within.evaluated = force;

@@ -35,6 +35,18 @@ pub(super) static ROWS: &[Row] = &[
         ..PLAIN
     },
     Row {
+        name: "elliprj",
+        arity: (4, 4),
+        typeset: typeset::upright("R").with_index("J"),
+        value: |a| match a {
+            [x, y, z, p] => special::rj(*x, *y, *z, *p),
+            _ => f64::NAN,
+        },
+        accuracy: Accuracy::Measured(8.0),
+        sign: Some(|_| Sign::Positive),
+        ..PLAIN
+    },
+    Row {
         name: "elliprc",
         arity: (2, 2),
         typeset: typeset::upright("R").with_index("C"),

@@ -364,6 +364,18 @@ pub(super) static ROWS: &[Row] = &[
         }),
         ..FORM
     },
+    // ∫_M^a dx/((x² ± w²)√((x²−M²)(x²−m²))) with M = max(b, r), m = min(b, r)
+    Row {
+        name: "elliptic_pole",
+        accuracy: Accuracy::Measured(10.0),
+        arity: (5, 5),
+        value: |a| match a {
+            [sign, w, b, s, a] => forms::elliptic_pole(*sign, *w, *b, *s, *a),
+            _ => f64::NAN,
+        },
+        shown: Some(|own| with(own, |[sign, w, b, s, a]| elliptic_pole(sign, w, b, s, a))),
+        ..FORM
+    },
 ];
 
 /// Runs `shape` on exactly N arguments; a wrong number cannot be built and shows as 0.
@@ -462,6 +474,20 @@ fn elliptic_moment(k: i64, b: &Expr, s: &Expr, a: &Expr) -> Expr {
         1 => big * (first - second) + a * ratio,
         _ => moment(k),
     }
+}
+
+/// The integral with a pole by Carlson's integrals, as [`forms::elliptic_pole`] computes it.
+fn elliptic_pole(sign: &Expr, w: &Expr, b: &Expr, s: &Expr, a: &Expr) -> Expr {
+    let (big, small) = (Expr::call("max", [b.clone(), s.clone()]), Expr::call("min", [b.clone(), s.clone()]));
+    let cosine = (leg(&big, &small) / leg(a, &small)).power(2);
+    let delta = &cosine * (a / &big).power(2);
+    // ±(x² ± w²), which is positive.
+    let beside = |x: &Expr| w.power(2) + sign * x.power(2);
+    let (at_edge, at_large) = (beside(a), beside(&big));
+    let first = Expr::call("elliprf", [delta.clone(), Expr::one(), cosine.clone()]);
+    let third = Expr::call("elliprj", [delta, Expr::one(), cosine.clone(), &cosine * at_edge / &at_large]);
+    let factor = (a.power(2) - big.power(2)) * cosine / (Expr::integer(3) * &at_large);
+    sign * leg(a, &big) / (leg(a, &small) * &big * at_large) * (first - sign * factor * third)
 }
 
 /// α, β, γ of E_k = α E_0 + β E_1 + γ √((a²−b²)(a²−s²)) for every k up to the highest, polynomials in the squares of a, b and s.
