@@ -44,6 +44,9 @@ const MOST_BETWEEN_KINKS: u64 = 500;
 /// Smallest radius at which g is evaluated for the energy, relative to the contact radius.
 const NEAREST: f64 = 1e-30;
 
+/// Largest radius, relative to that of the contact, below which g without a digit is bounded by g further out.
+const NEAR_AXIS: f64 = 0.1;
+
 /// Relative error above which an energy has no reliable digit.
 const LARGEST_ERROR: f64 = 0.1;
 
@@ -453,7 +456,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     fn near_axis(&self, x: f64, a: f64) -> Result<Estimate, TransformError> {
         let mut found = self.evaluator.equivalent(x).map(|own| own.estimate);
         let mut place = x;
-        while matches!(found, Err(TransformError::NoDigits { .. })) && place < 1e-3 * a {
+        while matches!(found, Err(TransformError::NoDigits { .. })) && place < NEAR_AXIS * a {
             place *= 10.0;
             let size = |own: Reading| Estimate::estimated(0.0, own.estimate.value.abs() + own.estimate.error, own.estimate.evaluations);
             found = self.evaluator.equivalent(place).map(size);

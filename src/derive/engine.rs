@@ -53,7 +53,11 @@ fn solve(profile: &Profile) -> Result<Solution, TransformError> {
     let gate = Gate::new(profile, &profile.conditions);
     for chain in &profile.chains {
         let slopes = chain.f_primes()?;
-        let mut solved = solve_chain(chain, &slopes, normal_parts);
+        let parts = |index: usize| {
+            let (f_prime, piece) = (slopes.get(index)?, chain.pieces.get(index)?);
+            normal_parts(f_prime).or_else(|| normal_parts(&slope_of_polynomial(piece)?))
+        };
+        let mut solved = solve_chain(chain, &slopes, parts);
         if !gate.recognition_holds(chain, &slopes, &solved) {
             verification.demoted.push(Demotion { rule: "recognition", quantity: "f'" });
             solved = solve_chain(chain, &slopes, |_| None);
@@ -93,10 +97,17 @@ fn normal_parts(f_prime: &Expr) -> Option<Vec<NormalTerm>> {
     Some(terms)
 }
 
-/// Splits a chain into terms; terms common to all intervals act on the whole axis and form a separate chain.
-fn solve_chain(chain: &Chain, slopes: &[Expr], parts: impl Fn(&Expr) -> Option<Vec<NormalTerm>>) -> Vec<SolvedChain> {
+/// The derivative of a polynomial, expanded first: that of a long product or of nested factors is far longer.
+fn slope_of_polynomial(piece: &Expr) -> Option<Expr> {
     let radius = Symbol::new("r");
-    let mut parts: Vec<Option<Vec<NormalTerm>>> = slopes.iter().map(parts).collect();
+    let list = normal::polynomial_coefficients(piece, &radius)?;
+    derivative(&Expr::sum(list.into_iter().zip(0_i64..).map(|(c, k)| c * Expr::from(radius.clone()).power(k))), &radius).ok()
+}
+
+/// Splits a chain into terms; terms common to all intervals act on the whole axis and form a separate chain.
+fn solve_chain(chain: &Chain, slopes: &[Expr], parts: impl Fn(usize) -> Option<Vec<NormalTerm>>) -> Vec<SolvedChain> {
+    let radius = Symbol::new("r");
+    let mut parts: Vec<Option<Vec<NormalTerm>>> = (0..slopes.len()).map(parts).collect();
     let mut common: Vec<NormalTerm> = Vec::new();
     if let [Some(first), others @ ..] = parts.as_slice()
         && !others.is_empty()

@@ -529,10 +529,11 @@ pub(crate) fn is_singular(f_prime: &Numbers, lower: f64, upper: Option<f64>) -> 
     }
     let at = |delta: f64| f_prime.at(Bounded::exact(delta), &mut Vec::new()).value;
     let (u, v) = (at(1e3 * near), at(near));
-    if u == 0.0 && v == 0.0 {
+    // What vanishes nearer, as exp(−w/r) does, is smooth there.
+    if v == 0.0 && u.is_finite() {
         return false;
     }
-    if !(u.is_finite() && v.is_finite()) || u == 0.0 || v == 0.0 {
+    if !(u.is_finite() && v.is_finite()) || u == 0.0 {
         return true;
     }
     let exponent = (u / v).abs().log10() / 3.0;

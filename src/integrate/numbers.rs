@@ -6,7 +6,7 @@ use crate::integrate::ask::{Ask, BISECTION, By, not_this_way};
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{NumericProfile, Weight};
 use crate::num::quadrature::Rule;
-use crate::num::{Bounded, Estimate};
+use crate::num::{Bounded, Estimate, work};
 
 impl NumericProfile {
     /// g(x) = x ∫₀^{π/2} f′(x sin t) dt.
@@ -75,6 +75,7 @@ impl NumericProfile {
     /// # Errors
     /// As [`Self::equivalent`].
     pub(crate) fn answer(&self, ask: Ask, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
+        work::check()?;
         match ask {
             Ask::Equivalent(x) => self.equivalent(x, tolerance).map(Some),
             Ask::Force(a) => self.force(a, tolerance).map(Some),
@@ -91,6 +92,7 @@ impl NumericProfile {
     /// # Errors
     /// As [`Self::equivalent`], and [`TransformError::NotThisWay`] if the way has no answer.
     pub(crate) fn in_the_way(&self, key: &'static str, ask: Ask, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
+        work::check()?;
         let only = By::Only(key);
         let found = match ask {
             Ask::Equivalent(x) => self.over_angle(x, Weight::Equivalent, tolerance, only)?.scaled(x),

@@ -82,6 +82,14 @@ fn pressures_with_elliptic_integrals_of_the_third_kind_close() {
     hold("min(1-1/sqrt(1+r^2/w^2), h)", &[("h", 0.2), ("w", 1.2)], Status::Exact, 4e-15);
 }
 
+/// g is a polynomial under odd powers of √(r² − b²).
+#[test]
+fn pressures_under_powers_of_a_difference_of_squares_close() {
+    let values: &Values<'_> = &[("b", 0.6), ("C", 0.9)];
+    hold("piecewise(0, r<b, C*(r^2-b^2)^(3/2))", values, Status::Exact, 4e-15);
+    hold("piecewise(0, r<b, C*r^2*(r^2-b^2)^(5/2))", values, Status::Exact, 1e-14);
+}
+
 /// A polynomial of degree 20 has a hundred elementary terms, so that each of its powers is one term over ₂F₁.
 #[test]
 fn pressures_of_long_polynomials_have_one_term_for_each_power() {

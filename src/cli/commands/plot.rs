@@ -32,7 +32,8 @@ pub(in crate::cli) struct Arguments {
     /// Sets the value of a parameter, with or without a unit; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
-    /// Largest contact radius of a profile [default: close to the end of the profile, else beyond its last kink, else 1].
+    /// Largest contact radius of a profile [default: close to the end of the profile, else beyond its last kink, else 3, or less where the
+    /// profile is steep].
     #[arg(long, value_name = "A", allow_hyphen_values = true)]
     radius: Option<String>,
     /// Effective modulus E* of a profile.

@@ -1,5 +1,6 @@
 //! `sneddon tradeoff`: the cost of accuracy, method by method.
 
+use crate::cli::failure::warn;
 use crate::cli::output;
 use crate::cli::output::{Endings, OutputArguments, OutputFormat};
 use crate::cli::quantities::{Quantities, demand};
@@ -96,6 +97,10 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     })?;
     let record = Tradeoff { profile: &typed.formula, parameters: settings.values(), study: &study };
     let has_plot = answer.format() == Format::Svg;
+    if let Some(why) = record.cut().filter(|_| has_plot && record.rows().next().is_none()) {
+        warn(&why);
+        return Ok(Outcome::Failed);
+    }
     let plot = if has_plot { report::tradeoff::plot::svg(&record).map_err(Failure::new)? } else { String::new() };
     let write = |format, out: &mut dyn Write| match format {
         Format::Svg => out.write_all(plot.as_bytes()),

@@ -52,6 +52,7 @@ fn sign_over(
         if ranges > MOST_RANGES
             || values > MOST_VALUES
             || begin.saturating_sub(work::left()) > PROVING
+            || work::is_exhausted()
             || narrow(from, to)
             || !(middle > from && middle < to)
         {
@@ -73,7 +74,7 @@ fn sign_over(
 /// The point between `from` and `to` at which a function that is nonnegative at `from` becomes negative.
 fn bisected(negative: impl Fn(f64) -> bool, mut from: f64, mut to: f64) -> f64 {
     let near = PLACED * to;
-    while to - from > near {
+    while to - from > near && !work::is_exhausted() {
         let middle = 0.5 * (from + to);
         if negative(middle) { to = middle } else { from = middle }
     }

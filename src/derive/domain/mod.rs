@@ -260,13 +260,19 @@ fn has_digits(piece: &Expr, set: &Bindings, r: f64) -> bool {
 
 /// False if the values move apart toward the axis by more than their errors: where 1 − r is 1 to rounding, 1/cos(asin(1 − r)) is a
 /// large constant.
+///
+/// The last three values that are certain decide, so that exp(−w/r) has its limit in every unit of length.
 fn converges(piece: &Expr, set: &Bindings) -> bool {
+    /// Largest relative error of a certain value, and what counts as 0.
+    const CERTAIN: f64 = 1e-3;
+    const NOTHING: f64 = 1e-250;
     let here = set.apply(piece);
     let at = |r: f64| walk(&here, &mut BoundedAlgebra, &mut |_| Some(Bounded::exact(r))).ok();
-    let [Some(far), Some(near), Some(nearest)] = [1e-3, 1e-6, 1e-9].map(at) else { return true };
-    let doubt = 2.0 * (near.error + nearest.error);
+    let radii = (1..54).map(|step| 10f64.powi(-3 * step));
+    let certain: Vec<Bounded> = radii.map_while(at).take_while(|own| own.error <= (CERTAIN * own.value.abs()).max(NOTHING)).collect();
+    let [.., far, near, nearest] = certain.as_slice() else { return true };
     let step = (nearest.value - near.value).abs();
-    step.is_nan() || step <= 0.9 * (near.value - far.value).abs() + doubt
+    step.is_nan() || step <= 0.9 * (near.value - far.value).abs() + 2.0 * (near.error + nearest.error)
 }
 
 /// 1 or −1 if the error bound of the value determines its sign, in double precision or with 30 digits.

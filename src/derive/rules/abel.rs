@@ -60,6 +60,11 @@ pub(crate) fn split(g_prime: &Expr, kinks: &[Expr], lower: Option<&Expr>, upper:
         if is_removable && known.iter().any(|(_, own)| matches!(own, Known::Pole(q, _) if sign(q) == Sign::Negative)) {
             known.clear();
         }
+        // A contact beyond a piece that ends may reach beyond the pole.
+        let is_below = |own: &Known| matches!(own, Known::PoleOverRoot(_, q, _) if sign(q) == Sign::Negative);
+        if *upper != Expr::symbol("a") && known.iter().any(|(_, own)| is_below(own)) {
+            known.clear();
+        }
         if known.is_empty() {
             open.push(term);
         }

@@ -4,6 +4,7 @@ pub(crate) mod abel;
 mod axial;
 mod bessel;
 mod combination;
+mod difference_of_squares;
 mod error_function;
 mod gaussian;
 mod gaussian_bessel;
@@ -108,6 +109,7 @@ pub static RULES: &[&Rule] = &[
     &segment_power::NEGATIVE,
     &segment_power::REAL,
     &shifted_power::RULE,
+    &difference_of_squares::RULE,
     GENERAL,
 ];
 

@@ -3,7 +3,7 @@
 use super::reading;
 use crate::derive::rule::{Answer, Branches, Pair, Parameter, Rule};
 use crate::derive::term::Term;
-use crate::expr::Expr;
+use crate::expr::{Expr, Symbol, normal};
 use crate::num::kappa::kappa_exact;
 
 pub(super) static RULE: Rule = Rule {
@@ -61,4 +61,11 @@ pub fn kappa(n: &Expr) -> Expr {
         }
         None => Expr::call("kappa", [n.clone()]),
     }
+}
+
+/// B(1/2, k+1) = π/κ_(2k+1) = π (2k+3)/(2(k+1) κ_(2k+3)): next to k = −1 the factor n of f′ = C n (r−b)^(n−1) cancels by itself.
+pub(super) fn beta_of_half(k: &Expr) -> Expr {
+    let order = Expr::integer(2) * k + Expr::integer(3);
+    let order = normal::expanded(&order, &Symbol::new("r")).unwrap_or(order);
+    Expr::pi() * &order / (Expr::integer(2) * (k + Expr::one()) * kappa(&order))
 }

@@ -70,10 +70,6 @@ fn shifted(k: &Expr, b: &Expr, x: &Expr) -> Expr {
     if *k == -&half {
         return &two / root * Expr::call("ellipk", [argument]);
     }
-    // B(1/2, k+1) = π/κ_(2k+1) = π (2k+3)/(2(k+1) κ_(2k+3)): next to k = −1 the factor n of f′ = C n (r−b)^(n−1) cancels by itself.
-    let order = &two * k + Expr::integer(3);
-    let order = normal::expanded(&order, &Symbol::new("r")).unwrap_or(order);
-    let beta = Expr::pi() * &order / (&two * (k + Expr::one()) * power::kappa(&order));
     let series = Expr::call("hyp2f1", [half.clone(), half.clone(), k + Expr::ratio(3, 2), argument]);
-    beta * (x - b).pow(&(k + half)) / root * series
+    power::beta_of_half(k) * (x - b).pow(&(k + half)) / root * series
 }

@@ -34,7 +34,7 @@ impl Tradeoff<'_> {
     }
 
     /// Returns the rows in the order of measurement, with a mark for the Pareto front.
-    fn rows(&self) -> impl Iterator<Item = &Row> {
+    pub(crate) fn rows(&self) -> impl Iterator<Item = &Row> {
         self.study.rows.iter()
     }
 

@@ -5,6 +5,7 @@ use crate::derive::rule::{Answer, Branches, Pair, Parameter, Rule};
 use crate::derive::rules::{abel, root};
 use crate::derive::term::Term;
 use crate::expr::{Expr, Number, Sign};
+use crate::integrate::segment::Segment;
 
 const S: Parameter = Parameter { name: "b", lowest: 0.5, highest: 4.0 };
 
@@ -153,9 +154,8 @@ fn apply(term: &Term, sigma: i64, odd: bool, extent: Extent) -> Option<Answer> {
     let tip = (m == 1 && k == 1 && term.segment.lower.is_zero()).then(|| Tip::of(&reading, term.segment.upper.as_ref()));
     let work = Work { reading, segment: &term.segment, family, kernel: None };
     let mut answer = work.answer(|m| family.moment(m, k), (odd && extent == Extent::Whole).then_some(pressure::rooted))?;
-    if odd && !term.segment.lower.is_zero() && term.segment.upper.is_none() {
-        let closed = abel::beyond_kink(&answer.equivalent.within.shown, &term.segment.lower);
-        answer.pressure = closed.map(|own| Branches::endless(Pair::same(own)));
+    if odd && extent == Extent::Segment && !term.segment.lower.is_zero() {
+        answer.pressure = worn_pressure(term, sigma, &answer);
     }
     if let Some(Tip { equivalent, force, cap }) = tip {
         answer.equivalent.within.evaluated = equivalent;
@@ -163,6 +163,19 @@ fn apply(term: &Term, sigma: i64, odd: bool, extent: Extent) -> Option<Answer> {
         answer.force.beyond.evaluated = cap.unwrap_or(answer.force.beyond.evaluated);
     }
     Some(answer)
+}
+
+/// The pressure of a segment off the axis by the g that begins at its lower end, less that of the g that begins at its upper end.
+fn worn_pressure(term: &Term, sigma: i64, answer: &Answer) -> Option<Branches> {
+    let within = Pair::same(abel::beyond_kink(&answer.equivalent.within.shown, &term.segment.lower)?);
+    let Some(upper) = &term.segment.upper else { return Some(Branches::endless(within)) };
+    if sigma < 0 {
+        // The contact may reach beyond the pole.
+        return None;
+    }
+    let rest = Term { parts: term.parts.clone(), segment: Segment { lower: upper.clone(), upper: None } };
+    let beyond = apply(&rest, sigma, true, Extent::Segment)?.pressure?;
+    Some(Branches { beyond: within.minus(&beyond.within), within })
 }
 
 /// The evaluated forms for a sphere or a hyperboloid that ends at a radius: the pieces of the recurrence cancel by (R/a)².

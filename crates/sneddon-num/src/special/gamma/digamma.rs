@@ -2,7 +2,7 @@
 
 use crate::special::ball::Ball;
 use crate::special::gamma::{BERNOULLI, FAR, is_pole};
-use crate::{DoubleDouble, Precise};
+use crate::{DoubleDouble, Precise, work};
 
 /// `psi(x) = Gamma'(x)/Gamma(x)`.
 ///
@@ -71,6 +71,7 @@ pub(crate) fn digamma_ball(x: Ball) -> Ball {
         return Ball::NONE;
     }
     let steps = if x.hi() < FAR { (FAR - x.hi()).ceil() as u32 } else { 0 };
+    work::spend(100 + 10 * u64::from(steps));
     let mut before = Ball::ZERO;
     for step in (0..steps).rev() {
         before = before + (x + f64::from(step)).recip();

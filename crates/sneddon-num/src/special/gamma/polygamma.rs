@@ -4,7 +4,7 @@ use crate::precise::ldexp;
 use crate::special::ball::{Ball, UNIT};
 use crate::special::gamma::BERNOULLI;
 use crate::special::gamma::digamma::{digamma, digamma_ball};
-use crate::{DoubleDouble, Precise};
+use crate::{DoubleDouble, Precise, work};
 
 /// `psi^(m)(x) = d^m psi / dx^m = (-1)^(m+1) m! Σ_k (x + k)^(-m-1)`, and `psi` itself for `m = 0`.
 ///
@@ -68,6 +68,8 @@ fn polygamma_ball(m: u32, x: Ball) -> Ball {
     }
     let far = 32.0 + 2.0 * f64::from(m);
     let steps = if x.hi() < far { (far - x.hi()).ceil() as u32 } else { 0 };
+    // A reciprocal with 30 digits and a power for each step.
+    work::spend(100 + u64::from(steps) * (15 + u64::from(m.ilog2())));
     let y = x + f64::from(steps);
     let inverse = y.recip();
     let square = inverse.square();
