@@ -244,7 +244,7 @@ fn known<'a>(term: &NormalTerm, kinks: &'a [Expr]) -> Vec<(Expr, Known<'a>)> {
     vec![(coefficient.clone(), Known::OverRoot(m / 2 + 1, b)), (-coefficient * b.power(2), Known::OverRoot(m / 2, b))]
 }
 
-/// x^m/(α+βx²)^k times √(x²−b²) or its inverse, for even m and m + 2 ≤ 2k + 2, by powers of x² + q.
+/// x^m/(α+βx²)^k times √(x²−b²) or its inverse, for even m and k = 1 or 2, by powers of x² + q; `None` if one is above 0.
 fn pole_over_root<'a>(m: i64, term: &NormalTerm, kinks: &'a [Expr]) -> Option<Vec<(Expr, Known<'a>)>> {
     let (mut pole, mut over, mut coefficient) = (None, None, term.coefficient.clone());
     for factor in term.kernel.factors() {
